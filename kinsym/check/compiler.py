@@ -1,0 +1,78 @@
+"""The C compiler of the machine, if it has one.
+
+The generated C is compiled the way a careful user would: C99, optimised, every warning an error.
+"""
+
+from __future__ import annotations
+
+import os
+import shlex
+import shutil
+import subprocess
+from pathlib import Path
+
+from kinsym.errors import CheckFailed
+
+#: What generated C must compile with.
+FLAGS = (
+    "-std=c99",
+    "-O2",
+    "-Wall",
+    "-Wextra",
+    "-Wpedantic",
+    "-Wconversion",
+    "-Wdouble-promotion",
+    "-Wshadow",
+    "-Werror",
+)
+_SECONDS = 120
+_LINES = 20
+
+
+def find_compiler() -> str | None:
+    """The path of a C compiler: ``$CC`` if it names a program, else cc, gcc or clang; None if there is none."""
+    named = shlex.split(os.environ.get("CC", ""))
+    for candidate in [*named[:1], "cc", "gcc", "clang"]:
+        path = shutil.which(candidate)
+        if path:
+            return path
+    return None
+
+
+def compiler_version(compiler: str) -> str:
+    """The first line that a compiler says about itself, empty if it says nothing."""
+    finished = _run([compiler, "--version"], Path.cwd())
+    return finished.stdout.splitlines()[0].strip() if finished.stdout.strip() else ""
+
+
+def compile_shared(
+    source_dir: Path | str,
+    name: str,
+    out_dir: Path | str,
+    *,
+    compiler: str | None = None,
+    flags: tuple[str, ...] = FLAGS,
+) -> Path:
+    """Compile ``NAME.c`` of a folder to a shared library in another and return its path.
+
+    Raises CheckFailed, with the first lines of the compiler, if the source does not compile or there is no compiler.
+    """
+    compiler = compiler or find_compiler()
+    if compiler is None:
+        raise CheckFailed("no C compiler was found. Install gcc or clang, or name one in the variable CC")
+    source_dir, library = Path(source_dir), Path(out_dir).resolve() / f"{name}.so"
+    command = [compiler, *flags, "-fPIC", "-shared", f"{name}.c", "-o", str(library), "-lm"]
+    finished = _run(command, source_dir)
+    if finished.returncode != 0:
+        said = "\n".join((finished.stderr or finished.stdout).splitlines()[:_LINES])
+        raise CheckFailed(f"{name}.c does not compile with {Path(compiler).name}:\n{said}")
+    return library
+
+
+def _run(command: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
+    try:
+        return subprocess.run(
+            command, cwd=folder, capture_output=True, text=True, errors="replace", timeout=_SECONDS, check=False
+        )
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise CheckFailed(f"the compiler {Path(command[0]).name} could not be run: {error}") from error

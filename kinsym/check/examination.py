@@ -1,0 +1,241 @@
+"""All laws on one robot with one choice of its parameters.
+
+Poses come from the exact forward kinematics of chosen joint vectors, rounded to float64, so that one solution is
+known for each. The exact walk is slow and sees a share of them, of every kind.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from fractions import Fraction
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinsym.check.laws import CLOSURE, COPY, FORWARD, SAME, Judge, malformed, outward
+from kinsym.check.ledger import Ledger
+from kinsym.check.poses import KINDS, PAIR, UNIFORM, Counts, generator, samples
+from kinsym.check.singular import volume_of
+from kinsym.check.solvers import ExactSolver, Floats, NumpySolver, Solutions, Solver, TreeKinematics
+from kinsym.check.table import TableKinematics
+from kinsym.check.task import task_jacobian
+from kinsym.emit.schedule import Schedule
+from kinsym.robot.model import Robot, Task
+
+Rows = NDArray[np.intp]
+
+EXACT_POSES = 66
+TABLE_POSES = 24
+JACOBIAN_POSES = 5
+SINGLE_POSES = 24
+FAR_POSES = 12
+NOISE_POSES = 60
+
+#: Where two singularities meet, a free angle may be chosen so that a later step has no root.
+PAIRS_TO_A_LOSS = 8
+
+TABLE_LIMIT = 1e-30
+SLOPE_LIMIT = 1e-8
+SINGLE_LIMIT = 1e-12
+NOISE = 1e-9
+
+TABLE = "forward kinematics equal the table's product of transforms, with 50 digits"
+DERIVATIVE = "Jacobian equals the derivative of the table's transforms, with 50 digits"
+FORWARD_LAW = "forward kinematics equal the exact ones"
+JACOBIAN_LAW = "Jacobian equals the exact one"
+INVERSE_LAW = "FK(IK(T)) = T for every solution"
+FOUND_LAW = "the known joint vector is among the solutions"
+PAIR_LAW = "two singularities at once still have a solution"
+COPY_LAW = "no solution twice"
+RANGE_LAW = "angles in (-pi, pi]"
+AGREE_LAW = "same solutions in the same order"
+REFUSE_LAW = "what is no pose is refused"
+FAR_LAW = "no solution beyond the reach"
+NOISE_LAW = "rotations known to nine digits are solved"
+SINGLE_LAW = "ik and ik_batch agree"
+ERROR_LAW = "runs without an error"
+
+
+class Examination:
+    """One choice of parameters held to every law."""
+
+    def __init__(
+        self,
+        *,
+        robot: Robot,
+        schedule: Schedule,
+        parameters: Mapping[str, Fraction],
+        number: int,
+        counts: Counts,
+        targets: list[Solver],
+        ledger: Ledger,
+    ) -> None:
+        self.schedule, self.ledger, self.targets = schedule, ledger, targets
+        self.rng = generator(schedule.digest, number)
+        self.table = TableKinematics(robot, parameters)
+        self.kinematics = TreeKinematics(schedule, parameters)
+        self.exact = ExactSolver(schedule, parameters)
+        revolute = np.array([joint.kind == "R" for joint in schedule.joints])
+        self.judge = Judge(self.kinematics, schedule.task, revolute, float(schedule.tau))
+        self.samples = samples(schedule.joints, self._volume, self.kinematics.size, counts, self.rng)
+        self.q = self.samples.q
+        self.poses = self.exact.forward(self.q)
+        self.solution_counts: Counter[int] = Counter()
+
+    def run(self) -> None:
+        """Every law; a target that raises fails :data:`ERROR_LAW` and is left out of the rest."""
+        every = np.arange(len(self.q))
+        some = every[:: max(1, len(every) // EXACT_POSES)]
+        slopes = self.rng.permutation(len(self.q))[:JACOBIAN_POSES]
+        noisy = self._noisy()
+        self._against_the_table(slopes)
+        oracle = self.exact.inverse(self.poses[some], self.q[some])
+        self._inverse(self.exact, oracle, some)
+        self._refusals(self.exact)
+        answers: dict[str, Solutions] = {}
+        for target in self.targets:
+            try:
+                self._forward(target, slopes)
+                answer = target.inverse(self.poses, self.q)
+                self._inverse(target, answer, every)
+                self._refusals(target)
+                self._unreachable(target)
+                self._noise(target, noisy)
+                if isinstance(target, NumpySolver):
+                    self._single(target, some[:SINGLE_POSES])
+            except Exception as error:  # generated code that was edited may raise anything
+                self.ledger.fail(ERROR_LAW, target.name, f"{type(error).__name__}: {error}")
+                continue
+            answers[target.name] = answer
+        if len(answers) > 1:
+            (left, first), (right, second) = answers.items()
+            self._agree(f"{left} and {right}", first, second, every)
+        for name, (q, count) in answers.items():
+            self._agree(f"exact walk and {name}", oracle, (q[some], count[some]), some)
+        self._count_solutions(next(iter(answers.values()))[1] if answers else None, oracle[1], some)
+
+    def poses_by_kind(self) -> dict[str, int]:
+        """How many poses of each kind were tried."""
+        return {kind: int(self.samples.of(kind).sum()) for kind in KINDS}
+
+    def _volume(self, q: Floats) -> Floats:
+        pose, jacobian = self.kinematics.forward(q), self.kinematics.jacobian(q)
+        return volume_of(task_jacobian(jacobian, pose, self.schedule.task, self.kinematics.size))
+
+    @property
+    def _length(self) -> float:
+        return self.kinematics.size if self.kinematics.size > 0 else 1.0
+
+    def _against_the_table(self, slopes: Rows) -> None:
+        errors = []
+        for joints in self.q[self.rng.permutation(len(self.q))[:TABLE_POSES]].tolist():
+            direct, derived = self.table.forward(joints), self.exact.walk.forward(joints)
+            far = max(self.exact.walk.size, 1, *(abs(row[3]) for row in direct[:3]))
+            gap = max(abs(direct[i][j] - derived[i][j]) for i in range(3) for j in range(4))
+            errors.append(float(gap / far))
+        self.ledger.judge(TABLE, "", np.array(errors), TABLE_LIMIT)
+        exact = self.exact.jacobian(self.q[slopes])
+        wanted = np.array([_differences(self.table, joints) for joints in self.q[slopes].tolist()])
+        scale = np.maximum(np.abs(wanted).max(axis=(1, 2)), 1.0)
+        self.ledger.judge(DERIVATIVE, "", np.abs(exact - wanted).max(axis=(1, 2)) / scale, SLOPE_LIMIT)
+
+    def _forward(self, target: Solver, slopes: Rows) -> None:
+        scale = np.ones_like(self.poses)
+        scale[:, :3, 3] = np.maximum(np.abs(self.poses[:, :3, 3]).max(axis=1, keepdims=True), self._length)
+        errors = np.abs((target.forward(self.q) - self.poses) / scale).max(axis=(1, 2))
+        self.ledger.judge(FORWARD_LAW, target.name, errors, FORWARD)
+        exact = self.exact.jacobian(self.q[slopes])
+        errors = np.abs(target.jacobian(self.q[slopes]) - exact).max(axis=(1, 2)) / max(1.0, float(np.abs(exact).max()))
+        self.ledger.judge(JACOBIAN_LAW, target.name, errors, FORWARD)
+
+    def _closures(self, solutions: Solutions, poses: Floats) -> Floats:
+        """The worst closure of each pose's solutions; infinite where one of them is not finite."""
+        q, count = solutions
+        valid = np.arange(q.shape[1]) < count[:, None]
+        closures = self.judge.closures(q, poses)
+        closures = np.where(np.isnan(closures), np.inf, closures)
+        return np.asarray(np.where(valid, closures, 0.0).max(axis=1, initial=0.0))
+
+    def _inverse(self, solver: Solver, answer: Solutions, which: Rows) -> None:
+        (q, count), name = answer, solver.name
+        known, poses = self.q[which], self.poses[which]
+        self.ledger.judge(INVERSE_LAW, name, self._closures(answer, poses), CLOSURE)
+        found, pair = self.judge.found(q, known, poses), self.samples.of(PAIR)[which]
+        self.ledger.count(FOUND_LAW, name, int((~pair).sum()), int((~found & ~pair).sum()))
+        lost = int((pair & (count == 0)).sum())
+        few = -(-int(pair.sum()) // PAIRS_TO_A_LOSS)
+        self.ledger.count(PAIR_LAW, name, int(pair.sum()), max(0, lost - few), limit=f"1 in {PAIRS_TO_A_LOSS} may not")
+        self.ledger.tally(f"{name}: two singularities at once, no solution", lost)
+        self.ledger.tally(f"{name}: two singularities at once, known vector not found", int((pair & ~found).sum()))
+        self.ledger.count(COPY_LAW, name, len(known), self.judge.copies(q), limit=f"> {COPY:g} apart")
+        angles = q[..., self.judge.revolute]
+        with np.errstate(invalid="ignore"):
+            inside = np.all((angles > -np.pi) & (angles <= np.pi), axis=-1)
+        outside = (np.arange(q.shape[1]) < count[:, None]) & ~inside
+        self.ledger.count(RANGE_LAW, name, len(known), int(outside.any(axis=1).sum()))
+
+    def _agree(self, subject: str, left: Solutions, right: Solutions, which: Rows) -> None:
+        same, sets = self.judge.agreement(left, right, self.poses[which])
+        uniform, pair = self.samples.of(UNIFORM)[which], self.samples.of(PAIR)[which]
+        wrong = np.where(uniform, ~same, ~sets & ~pair)
+        self.ledger.count(AGREE_LAW, subject, len(which), int(wrong.sum()), limit=f"<= {SAME:g} or one double root")
+        self.ledger.tally(f"{subject}: at the edge of a tolerance band", int((~same & ~wrong).sum()))
+
+    def _refusals(self, solver: Solver) -> None:
+        pose = self.poses[0]
+        cases = malformed(pose)
+        if isinstance(solver, NumpySolver):
+            cases |= {"a 3x4 array": pose[:3], "a vector": pose[0], "a 3x3 array": pose[:3, :3]}
+        missed = [name for name, case in cases.items() if not solver.refuses(case)]
+        note = "answered: " + ", ".join(missed) if missed else ""
+        self.ledger.count(REFUSE_LAW, solver.name, len(cases), len(missed), note=note)
+
+    def _unreachable(self, solver: Solver) -> None:
+        if self.schedule.task is Task.ORIENTATION:
+            return
+        far = outward(self.poses[:FAR_POSES], self.kinematics.size)
+        zeros = np.zeros((len(far), self.q.shape[1]))
+        answer = solver.inverse(far, zeros)
+        wanted = np.zeros(len(far)) if self.judge.revolute.all() else self.exact.inverse(far, zeros)[1]
+        wrong = (answer[1] != wanted) | ~(self._closures(answer, far) <= CLOSURE)
+        self.ledger.count(FAR_LAW, solver.name, len(far), int(wrong.sum()))
+
+    def _noisy(self) -> Floats:
+        noisy = self.poses[:NOISE_POSES].copy()
+        noisy[:, :3, :3] += self.rng.uniform(-NOISE, NOISE, (len(noisy), 3, 3))
+        return noisy
+
+    def _noise(self, solver: Solver, noisy: Floats) -> None:
+        answer = solver.inverse(noisy, self.q[: len(noisy)])
+        wrong = (answer[1] == 0) | ~(self._closures(answer, noisy) <= 20 * NOISE)
+        self.ledger.count(NOISE_LAW, solver.name, len(noisy), int(wrong.sum()), limit=f"<= {20 * NOISE:g}")
+
+    def _single(self, solver: NumpySolver, which: Rows) -> None:
+        q, count = solver.inverse(self.poses[which], self.q[which])
+        wrong = 0
+        for row, sample in enumerate(which):
+            single, batch = solver.single(self.poses[sample], self.q[sample]), q[row, : count[row]]
+            wrong += single.shape != batch.shape or not np.allclose(single, batch, rtol=0, atol=SINGLE_LIMIT)
+        self.ledger.count(SINGLE_LAW, solver.name, len(which), wrong, limit=f"<= {SINGLE_LIMIT:g}")
+
+    def _count_solutions(self, numbers: Rows | None, oracle: Rows, some: Rows) -> None:
+        uniform = self.samples.of(UNIFORM)
+        self.solution_counts.update((oracle[uniform[some]] if numbers is None else numbers[uniform]).tolist())
+
+
+def _differences(table: TableKinematics, q: list[float]) -> Floats:
+    """The (6, n) Jacobian by central differences: with 50 digits a step of 1e-17 errs by about 1e-33."""
+    ctx = table.ctx
+    step = ctx.mpf(10) ** -17
+    columns = []
+    here = table.forward(q)
+    for joint in range(len(q)):
+        plus, minus = [ctx.mpf(x) for x in q], [ctx.mpf(x) for x in q]
+        plus[joint] += step
+        minus[joint] -= step
+        after, before = table.forward(plus), table.forward(minus)
+        slope = [[(after[i][j] - before[i][j]) / (2 * step) for j in range(4)] for i in range(3)]
+        spin = [[sum(slope[i][k] * here[j][k] for k in range(3)) for j in range(3)] for i in range(3)]
+        columns.append([slope[0][3], slope[1][3], slope[2][3], spin[2][1], spin[0][2], spin[1][0]])
+    return np.array(columns, dtype=np.float64).T

@@ -1,0 +1,48 @@
+"""The report of one derivation, with or without checks."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import asdict
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from kinsym import __version__
+from kinsym.check.report import Report
+from kinsym.emit.operations import inverse_operations, line_operations
+from kinsym.robot.summary import to_toml
+from kinsym.robot.text import value_text
+
+if TYPE_CHECKING:
+    from kinsym.check.compare import Findings
+    from kinsym.derivation import Derivation
+
+
+def report_of(derivation: Derivation, sources: Mapping[str, str], findings: Findings | None) -> Report:
+    """Everything the report holds; without findings it says that nothing was checked."""
+    schedule = derivation.schedule
+    return Report(
+        name=schedule.name,
+        title=schedule.title,
+        version=__version__,
+        digest=schedule.digest,
+        task=schedule.task.value,
+        joints=tuple(f"{joint.name} ({joint.kind})" for joint in schedule.joints),
+        parameters={parameter.name: _value(parameter.value) for parameter in schedule.parameters},
+        maximum=schedule.maximum,
+        table=to_toml(derivation.robot).splitlines(),
+        operations={
+            "forward": asdict(line_operations(schedule, schedule.forward)),
+            "inverse": asdict(inverse_operations(schedule)),
+            "jacobian": asdict(line_operations(schedule, schedule.jacobian)),
+        },
+        checks=findings.checks if findings else (),
+        figures=findings.figures if findings else {},
+        files={name: hashlib.sha256(text.encode()).hexdigest() for name, text in sources.items()},
+        measured=findings.measured if findings else {},
+    )
+
+
+def _value(value: Fraction | None) -> str | None:
+    return None if value is None else value_text(value)

@@ -1,0 +1,218 @@
+"""One face for the three answers that must agree: the exact walk, the generated NumPy module, the compiled C.
+
+All three take batches. ``inverse`` returns the solutions packed to the left, (m, S, n) with NaN behind them, and
+how many there are, (m,).
+"""
+
+from __future__ import annotations
+
+import ctypes
+import importlib.util
+import sys
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from pathlib import Path
+from types import ModuleType
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinsym.check.evaluate import Program, floating
+from kinsym.check.walk import ExactWalk
+from kinsym.emit.schedule import Schedule
+
+Floats = NDArray[np.float64]
+Solutions = tuple[Floats, NDArray[np.intp]]
+
+
+class Solver(Protocol):
+    """Forward kinematics, Jacobian and inverse kinematics for one choice of parameters."""
+
+    name: str
+
+    def forward(self, q: Floats) -> Floats:
+        """(m, n) joint vectors to (m, 4, 4) poses."""
+
+    def jacobian(self, q: Floats) -> Floats:
+        """(m, n) joint vectors to (m, 6, n)."""
+
+    def inverse(self, poses: Floats, reference: Floats) -> Solutions:
+        """(m, 4, 4) poses and (m, n) references to packed solutions and their numbers."""
+
+    def refuses(self, pose: Floats) -> bool:
+        """Whether a single (4, 4) array is told to be no pose."""
+
+
+def as_float(value: Fraction) -> float:
+    """The nearest double."""
+    return value.numerator / value.denominator
+
+
+class ExactSolver:
+    """The exact walk, its answers rounded to float64."""
+
+    name = "exact walk"
+
+    def __init__(self, schedule: Schedule, parameters: Mapping[str, Fraction]) -> None:
+        self.walk = ExactWalk(schedule, parameters)
+        self._shape = (schedule.maximum, len(schedule.joints))
+        self._revolute = np.array([joint.kind == "R" for joint in schedule.joints])
+
+    def forward(self, q: Floats) -> Floats:
+        poses = np.zeros((len(q), 4, 4))
+        poses[:, 3, 3] = 1.0
+        for row, joints in enumerate(q):
+            poses[row, :3] = self.walk.forward(joints.tolist())
+        return poses
+
+    def jacobian(self, q: Floats) -> Floats:
+        return np.array([self.walk.jacobian(joints.tolist()) for joints in q], dtype=np.float64)
+
+    def inverse(self, poses: Floats, reference: Floats) -> Solutions:
+        q = np.full((len(poses), *self._shape), np.nan)
+        count = np.zeros(len(poses), dtype=np.intp)
+        for row, pose in enumerate(poses):
+            found = self.walk.inverse(pose.tolist(), reference[row].tolist()) or []
+            count[row] = len(found)
+            if found:
+                q[row, : len(found)] = found
+        # the nearest double of an angle just above -pi is -pi itself
+        return np.where(self._revolute & (q == -np.pi), np.pi, q), count
+
+    def refuses(self, pose: Floats) -> bool:
+        return self.walk.inverse(pose.tolist()) is None
+
+
+class NumpySolver:
+    """A generated NumPy module, imported from its file under a private name."""
+
+    name = "NumPy"
+
+    def __init__(self, module: ModuleType, parameters: Mapping[str, Fraction]) -> None:
+        self._module = module
+        self._parameters = {name: as_float(value) for name, value in parameters.items()}
+
+    @staticmethod
+    def load(path: Path) -> ModuleType:
+        """Import ``path`` without leaving bytecode or a name behind."""
+        name = f"_kinsym_checked_{path.stem}"
+        spec = importlib.util.spec_from_file_location(name, path)
+        if spec is None or spec.loader is None:
+            raise ImportError(f"{path.name} is no Python module")
+        module = importlib.util.module_from_spec(spec)
+        before, sys.dont_write_bytecode = sys.dont_write_bytecode, True
+        try:
+            spec.loader.exec_module(module)
+        finally:
+            sys.dont_write_bytecode = before
+        return module
+
+    def forward(self, q: Floats) -> Floats:
+        return np.asarray(self._module.fk(q, **self._parameters), dtype=np.float64)
+
+    def jacobian(self, q: Floats) -> Floats:
+        return np.asarray(self._module.jacobian(q, **self._parameters), dtype=np.float64)
+
+    def inverse(self, poses: Floats, reference: Floats) -> Solutions:
+        q, valid = self._module.ik_batch(poses, reference=reference, **self._parameters)
+        order = np.argsort(~valid, axis=-1, kind="stable")
+        packed = np.take_along_axis(np.where(valid[..., None], q, np.nan), order[..., None], axis=-2)
+        # a NaN in a solution told to be valid must not pass for padding
+        broken = np.isnan(q) & valid[..., None]
+        packed[np.take_along_axis(broken, order[..., None], axis=-2)] = np.inf
+        return packed, valid.sum(axis=-1)
+
+    def single(self, pose: Floats, reference: Floats) -> Floats:
+        """``ik`` of one pose: (k, n)."""
+        return np.asarray(self._module.ik(pose, reference=reference, **self._parameters), dtype=np.float64)
+
+    def refuses(self, pose: Floats) -> bool:
+        for function in (self._module.ik, self._module.ik_batch):
+            try:
+                function(pose, **self._parameters)
+            except ValueError:
+                continue
+            return False
+        return True
+
+
+class CSolver:
+    """The compiled C, called through ctypes."""
+
+    name = "C"
+
+    def __init__(self, library: ctypes.CDLL, schedule: Schedule, parameters: Mapping[str, Fraction]) -> None:
+        self._n, self._most = len(schedule.joints), schedule.maximum
+        values = [as_float(parameters[parameter.name]) for parameter in schedule.parameters] or [0.0]
+        self._given = (ctypes.c_double * len(values))(*values)
+        self._fk = getattr(library, f"{schedule.name}_fk")
+        self._jacobian = getattr(library, f"{schedule.name}_jacobian")
+        self._ik = getattr(library, f"{schedule.name}_ik_near")
+        self._fk.restype = self._jacobian.restype = None
+        self._ik.restype = ctypes.c_int
+        pointer = ctypes.c_void_p
+        self._fk.argtypes = self._jacobian.argtypes = [pointer, pointer, pointer]
+        self._ik.argtypes = [pointer] * 4
+
+    def forward(self, q: Floats) -> Floats:
+        return self._each(self._fk, q, (4, 4))
+
+    def jacobian(self, q: Floats) -> Floats:
+        return self._each(self._jacobian, q, (6, self._n))
+
+    def inverse(self, poses: Floats, reference: Floats) -> Solutions:
+        poses, reference = np.ascontiguousarray(poses), np.ascontiguousarray(reference)
+        q = np.full((len(poses), self._most, self._n), np.nan)
+        buffer = np.empty((self._most, self._n))
+        count = np.zeros(len(poses), dtype=np.intp)
+        for row in range(len(poses)):
+            found = self._ik(poses[row].ctypes.data, self._given, reference[row].ctypes.data, buffer.ctypes.data)
+            count[row] = max(0, found)
+            q[row, : count[row]] = np.where(np.isnan(buffer[: count[row]]), np.inf, buffer[: count[row]])
+        return q, count
+
+    def refuses(self, pose: Floats) -> bool:
+        pose = np.ascontiguousarray(pose, dtype=np.float64)
+        buffer = np.empty((self._most, self._n))
+        return bool(self._ik(pose.ctypes.data, self._given, None, buffer.ctypes.data) < 0)
+
+    def _each(self, function: Callable[..., Any], q: Floats, shape: tuple[int, int]) -> Floats:
+        q = np.ascontiguousarray(q)
+        result = np.empty((len(q), *shape))
+        for row in range(len(q)):
+            function(q[row].ctypes.data, self._given, result[row].ctypes.data)
+        return result
+
+
+class TreeKinematics:
+    """The forward kinematics and the Jacobian of a schedule in vectorised float64, read from the trees."""
+
+    def __init__(self, schedule: Schedule, parameters: Mapping[str, Fraction]) -> None:
+        numbers = floating()
+        self._names = [joint.name for joint in schedule.joints]
+        given: dict[str, Any] = {name: as_float(value) for name, value in parameters.items()}
+        constants = Program(schedule.constants, (), numbers)
+        self._given = constants.names(given)
+        self._forward = Program(schedule.forward.definitions, schedule.forward.outputs, numbers)
+        self._jacobian = Program(schedule.jacobian.definitions, schedule.jacobian.outputs, numbers)
+        self.size = float(Program((), (schedule.size,), numbers)(self._given)[0])
+
+    def forward(self, q: Floats) -> Floats:
+        """(..., n) to (..., 4, 4)."""
+        pose = np.zeros((*q.shape[:-1], 4, 4))
+        pose[..., 3, 3] = 1.0
+        for position, value in enumerate(self._forward(self._with(q))):
+            pose[..., position // 4, position % 4] = value
+        return pose
+
+    def jacobian(self, q: Floats) -> Floats:
+        """(..., n) to (..., 6, n)."""
+        n = len(self._names)
+        result = np.zeros((*q.shape[:-1], 6, n))
+        for position, value in enumerate(self._jacobian(self._with(q))):
+            result[..., position // n, position % n] = value
+        return result
+
+    def _with(self, q: Floats) -> dict[str, Any]:
+        return {**self._given, **{name: q[..., column] for column, name in enumerate(self._names)}}

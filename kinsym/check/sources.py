@@ -1,0 +1,86 @@
+"""Generated sources made ready to run: the module imported, the C compiled, both in a private folder."""
+
+from __future__ import annotations
+
+import ctypes
+import platform
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from kinsym.check.ledger import Ledger
+from kinsym.check.solvers import CSolver, NumpySolver, Solver
+from kinsym.emit.schedule import Schedule
+
+IMPORT = "the module can be imported"
+COMPILE = "compiles without a warning"
+NUMPY, C = NumpySolver.name, CSolver.name
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sources:
+    """What of the generated sources can be run here."""
+
+    schedule: Schedule
+    module: ModuleType | None
+    library: ctypes.CDLL | None
+    versions: dict[str, Any]
+
+    def solvers(self, parameters: Mapping[str, Fraction]) -> list[Solver]:
+        """One solver for each language at hand, for one choice of parameters."""
+        found: list[Solver] = []
+        if self.module is not None:
+            found.append(NumpySolver(self.module, parameters))
+        if self.library is not None:
+            found.append(CSolver(self.library, self.schedule, parameters))
+        return found
+
+
+def load(
+    schedule: Schedule, sources: Mapping[str, str], folder: Path, ledger: Ledger, progress: Callable[[str], None]
+) -> Sources:
+    """Write the sources (file name -> text) into ``folder``, import and compile them.
+
+    What fails is recorded in the ledger as a failed law; a missing compiler as a law that was not run.
+    """
+    for name, text in sources.items():
+        (folder / name).write_text(text, encoding="utf-8", newline="\n")
+    versions: dict[str, Any] = {"python": platform.python_version(), "numpy": np.__version__}
+    module, library = None, None
+    if f"{schedule.name}.py" in sources:
+        module = _imported(schedule, folder / f"{schedule.name}.py", ledger)
+    if f"{schedule.name}.c" in sources:
+        progress("compiling the C")
+        library = _compiled(schedule, folder / f"{schedule.name}.c", ledger, versions)
+    return Sources(schedule=schedule, module=module, library=library, versions=versions)
+
+
+def _imported(schedule: Schedule, path: Path, ledger: Ledger) -> ModuleType | None:
+    try:
+        module = NumpySolver.load(path)
+    except Exception as error:  # the file may hold anything by now
+        ledger.fail(IMPORT, NUMPY, f"{type(error).__name__}: {error}")
+        return None
+    missing = [name for name in ("fk", "ik", "ik_batch", "jacobian") if not callable(getattr(module, name, None))]
+    if missing:
+        ledger.fail(IMPORT, NUMPY, f"it has no {', '.join(missing)}")
+        return None
+    expected = {
+        "NAME": schedule.name,
+        "JOINTS": [joint.name for joint in schedule.joints],
+        "JOINT_TYPES": [joint.kind for joint in schedule.joints],
+        "PARAMETERS": [parameter.name for parameter in schedule.parameters],
+        "MAX_SOLUTIONS": schedule.maximum,
+    }
+    for name, value in expected.items():
+        given = getattr(module, name, None)
+        if (list(given or ()) if isinstance(value, list) else given) != value:
+            ledger.fail(IMPORT, NUMPY, f"its {name} is {given!r}, the table's is {value!r}")
+            return None
+    ledger.count(IMPORT, NUMPY, 1, 0)
+    return module

@@ -1,0 +1,137 @@
+"""The command line: ``kinsym derive``, ``show``, ``robots`` and ``check``.
+
+Only the parser lives here, and it loads nothing that calculates, so that ``kinsym --help`` answers at once. Exit
+status: 0 done and checked, 1 no closed form or a check failed, 2 the input is wrong, 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+
+from kinsym import __version__
+from kinsym.errors import KinsymError
+
+TASKS = ("pose", "position", "orientation", "planar", "scara", "position_axis")
+CONVENTIONS = ("paul", "craig", "screw")
+TARGETS = ("numpy", "c", "latex")
+INTERRUPTED = 130
+
+_DESCRIPTION = "Closed-form kinematics of serial robots: equations, NumPy and C that are checked against each other."
+_EXAMPLES = """\
+examples:
+  kinsym derive fanuc_s900w                 a robot of the gallery, into ./fanuc_s900w
+  kinsym derive my_robot.toml -o out        a robot file, into ./out
+  kinsym derive table.csv --convention craig
+  kinsym derive --dh "pi/2 0 d1 theta1; 0 a2 0 theta2" --convention paul --name two_links
+  kinsym show ur5                           the equations only
+  kinsym check out                          the checks again, on the files in ./out
+
+exit status: 0 done and checked; 1 no closed form, or a check failed; 2 the input is wrong
+"""
+
+
+def parser() -> argparse.ArgumentParser:
+    """The parser of the whole command line."""
+    top = argparse.ArgumentParser(
+        prog="kinsym", description=_DESCRIPTION, epilog=_EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    top.add_argument("--version", action="version", version=f"kinsym {__version__}")
+    commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
+
+    derive = commands.add_parser("derive", help="derive, check and write a robot's kinematics", allow_abbrev=False)
+    _add_table(derive)
+    derive.add_argument("-o", "--output", metavar="DIR", help="where to write (default: ./NAME)")
+    derive.add_argument(
+        "--target", action="append", choices=TARGETS, help="write this language only (repeatable; default: all)"
+    )
+    derive.add_argument("--no-check", action="store_true", help="write the files without checking them")
+    derive.add_argument("--quiet", action="store_true", help="print errors only")
+
+    show = commands.add_parser("show", help="print the equations, write nothing", allow_abbrev=False)
+    _add_table(show)
+    show.add_argument("--full", action="store_true", help="with link transforms and Jacobian")
+
+    commands.add_parser("robots", help="list the robots of the gallery", allow_abbrev=False)
+
+    check = commands.add_parser(
+        "check",
+        help="repeat the checks on files already there",
+        description="Repeat the checks on the files in DIR. This runs the Python and C code found there.",
+        allow_abbrev=False,
+    )
+    check.add_argument("folder", metavar="DIR", help="a folder that kinsym derive has written")
+    check.add_argument("--quiet", action="store_true", help="print errors only")
+    return top
+
+
+def _add_table(command: argparse.ArgumentParser) -> None:
+    command.add_argument("table", metavar="TABLE", nargs="?", help="a robot of the gallery, or a .toml or .csv file")
+    command.add_argument("--dh", metavar="ROWS", help='rows "alpha a d theta; ..." instead of TABLE')
+    command.add_argument("--convention", choices=CONVENTIONS, help="how to read a CSV table or --dh")
+    command.add_argument("--name", help="name of the robot, and of the files")
+    command.add_argument("--task", choices=TASKS, help="what of the pose to reach (default: what the arm can)")
+    command.add_argument(
+        "--bind", metavar="NAME=VALUE", action="append", default=[], help="fold a parameter's number in (repeatable)"
+    )
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command; the exit status.
+
+    >>> main(["robots", "--help"])  # doctest: +SKIP
+    """
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    try:
+        _suggest(given)
+        options = parser().parse_args(given)
+        return _run(options)
+    except SystemExit as stop:
+        return stop.code if isinstance(stop.code, int) else 2
+    except KinsymError as error:
+        print(f"kinsym: {error}", file=sys.stderr)
+        return error.exit_status
+    except KeyboardInterrupt:
+        return INTERRUPTED
+
+
+def _run(options: argparse.Namespace) -> int:
+    from kinsym.command.screen import Screen
+
+    screen = Screen(quiet=getattr(options, "quiet", False))
+    try:
+        match options.command:
+            case "derive":
+                from kinsym.command.derive import derive
+
+                return derive(options, screen)
+            case "show":
+                from kinsym.command.show import show
+
+                return show(options, screen)
+            case "check":
+                from kinsym.command.check import check
+
+                return check(options, screen)
+            case _:
+                from kinsym.command.robots import robots
+
+                return robots(screen)
+    finally:
+        screen.flush()
+
+
+def _suggest(given: list[str]) -> None:
+    """Stop at a first word that is no command, with the nearest one, or the command that a table's name lacks."""
+    commands = ("derive", "show", "robots", "check")
+    if not given or given[0].startswith("-") or given[0] in commands:
+        return
+    from kinsym.robot import gallery
+    from kinsym.robot.names import nearest, shown
+
+    word = given[0]
+    if word in gallery() or word.endswith((".toml", ".csv")):
+        raise KinsymError(f"{shown(word)} is no command. Did you mean: kinsym derive {word}?")
+    hint = nearest(word, commands)
+    raise KinsymError(f"{shown(word)} is no command. {hint}The commands: {', '.join(commands)}.")

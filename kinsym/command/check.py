@@ -1,0 +1,91 @@
+"""``kinsym check``: the checks once more, on files that are already there."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from kinsym.check.report import FAILED, SUFFIX
+from kinsym.command.derive import say_checks, verdict
+from kinsym.command.screen import Screen
+from kinsym.errors import KinsymError, OutputError
+from kinsym.robot.model import Robot
+from kinsym.write import write_set
+
+
+def check(options: argparse.Namespace, screen: Screen) -> int:
+    """Check every robot whose report lies in the folder, and write its report anew."""
+    folder = Path(options.folder)
+    if not folder.is_dir():
+        raise OutputError(f"{folder} is no folder. Give one that kinsym derive has written.")
+    reports = sorted(path for path in folder.glob("*" + SUFFIX) if path.is_file())
+    if not reports:
+        raise OutputError(f"{folder} holds no *{SUFFIX}. Give a folder that kinsym derive has written.")
+    return max(_check_one(path, screen) for path in reports)
+
+
+def _check_one(path: Path, screen: Screen) -> int:
+    from kinsym.check.compare import compare
+    from kinsym.check.reporting import report_of
+    from kinsym.derivation import derive
+    from kinsym.command.rendering import rendered
+
+    screen.stage(f"reading {path.name}")
+    robot, recorded = _read(path)
+    screen.stage(f"deriving {robot.name}")
+    derivation = derive(robot)
+    today = rendered(derivation)
+    sources: dict[str, str] = {}
+    missing, foreign, edited = [], [], []
+    for name, text in today.items():
+        if name not in recorded:
+            continue
+        try:
+            there = (path.parent / name).read_bytes().decode("utf-8")
+        except FileNotFoundError:
+            missing.append(name)
+            continue
+        except (OSError, UnicodeDecodeError) as error:
+            raise OutputError(f"{path.parent / name} cannot be read: {error}. Derive the robot again.") from error
+        sources[name] = there
+        if there != text:
+            foreign.append(name)
+    findings = compare(derivation, sources, screen.stage)
+    report = report_of(derivation, sources, findings)
+    edited = [name for name, digest in report.files.items() if digest != recorded[name]]
+    screen.say(f"{report.title}\n")
+    say_checks(report, screen)
+    for name in missing:
+        screen.warn(f"{path.parent / name} is missing. Derive the robot again.")
+    for name in foreign:
+        since = "it was changed after kinsym wrote it" if name in edited else "another version of kinsym wrote it"
+        screen.warn(f"{path.parent / name} is not what kinsym would write today: {since}.")
+    try:
+        write_set(path.parent, {path.name: report.text()})
+    except OutputError as error:
+        screen.warn(f"the report was not renewed: {error}")
+    status = verdict(report, path.parent, screen)
+    return 1 if missing or report.verdict == FAILED else status
+
+
+def _read(path: Path) -> tuple[Robot, dict[str, str]]:
+    """The robot of a report and the digests of the files it speaks of."""
+    from kinsym.robot.files import from_draft
+
+    remedy = "Derive the robot again."
+    try:
+        content: Any = json.loads(path.read_bytes().decode("utf-8"))
+        table, files = content["table"], content["files"]
+        draft = tomllib.loads("\n".join(table))
+        recorded = {str(name): str(digest) for name, digest in files.items()}
+    except OSError as error:
+        raise OutputError(f"{path} cannot be read: {error.strerror}. {remedy}") from error
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
+        raise OutputError(f"{path} is no report of kinsym: {error}. {remedy}") from error
+    try:
+        return from_draft(draft, where=f"{path}, table"), recorded
+    except KinsymError as error:
+        raise OutputError(f"{path} holds no usable table: {error} {remedy}") from error

@@ -1,0 +1,92 @@
+"""``kinsym derive``: the main job, from a table to checked files."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from kinsym.check.report import FAILED, NOT_RUN, SUFFIX, Check, Report
+from kinsym.command.screen import Screen
+from kinsym.command.table import robot_of
+from kinsym.write import check_place, write_set
+
+
+def derive(options: argparse.Namespace, screen: Screen) -> int:
+    """Derive, print, emit, check, write; 1 if a check failed, in which case the report says which."""
+    from kinsym.check.reporting import report_of
+    from kinsym.derivation import derive as derivation_of
+    from kinsym.emit.text import equations
+    from kinsym.command.rendering import file_names, rendered
+
+    screen.stage("reading the table")
+    robot = robot_of(options)
+    folder = Path(options.output if options.output is not None else robot.name)
+    check_place(folder, [*file_names(robot.name, options.target), robot.name + SUFFIX])
+    screen.stage(f"deriving {robot.name}")
+    derivation = derivation_of(robot)
+    screen.say(equations(derivation, width=screen.width, ascii=screen.ascii))
+    screen.flush()
+    screen.stage("writing the sources")
+    sources = rendered(derivation, options.target)
+    findings = None
+    if not options.no_check:
+        from kinsym.check.compare import compare
+
+        findings = compare(derivation, sources, screen.stage)
+    report = report_of(derivation, sources, findings)
+    paths = write_set(folder, {**sources, robot.name + SUFFIX: report.text()})
+    say_checks(report, screen)
+    screen.say("Written")
+    screen.say("-------")
+    for path in paths:
+        screen.say(f"  {path}")
+    return verdict(report, folder, screen)
+
+
+def say_checks(report: Report, screen: Screen) -> None:
+    """The laws, one line each, and the figures."""
+    screen.say("Checks")
+    screen.say("------")
+    if report.verdict == NOT_RUN:
+        screen.say("  none (--no-check)\n")
+        return
+    figures = report.figures
+    kinds = ", ".join(f"{count} {kind}" for kind, count in figures["poses_by_kind"].items() if count)
+    screen.say(f"  {figures['poses']} poses: {kinds}")
+    spread = figures["solutions_at_random_poses"]
+    if spread:
+        screen.say(
+            f"  solutions at a random pose: {spread['least']} to {spread['most']}, usually {spread['usual']},"
+            f" at most {report.maximum}"
+        )
+    for law, checks in _by_law(report).items():
+        statuses = {check.status for check in checks}
+        mark = "FAILED" if FAILED in statuses else "not run" if statuses == {NOT_RUN} else "ok"
+        limit = next((f" {check.limit}" for check in checks if check.limit), "")
+        screen.say(f"  {mark:<7} {law}{limit}: {', '.join(check.outcome() for check in checks)}")
+        for check in checks:
+            if check.note:
+                screen.say(f"          {check.subject}: {check.note}")
+    screen.say()
+
+
+def _by_law(report: Report) -> dict[str, list[Check]]:
+    laws: dict[str, list[Check]] = {}
+    for check in report.checks:
+        laws.setdefault(check.law, []).append(check)
+    return laws
+
+
+def verdict(report: Report, folder: Path, screen: Screen) -> int:
+    """The exit status, and one line on standard error where it is not plain success."""
+    for check in report.checks:
+        if check.status == NOT_RUN:
+            screen.warn(f"{check.name}: not run, {check.note}.")
+    if report.verdict != FAILED:
+        return 0
+    failed = [check.name for check in report.checks if check.status == FAILED]
+    screen.warn(
+        f"{len(failed)} of {len(report.checks)} checks failed: {'; '.join(failed)}. "
+        f"Do not use the files in {folder}; the report there tells more."
+    )
+    return 1

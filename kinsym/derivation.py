@@ -1,0 +1,46 @@
+"""From a robot to everything that is known of it, in one call."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from kinsym.emit.program import build_schedule
+from kinsym.emit.schedule import Schedule
+from kinsym.inverse.plan import Plan
+from kinsym.inverse.search import derive_plan
+from kinsym.kinematics.chain import Chain, build_chain
+from kinsym.kinematics.forward import Forward, forward_kinematics
+from kinsym.kinematics.jacobian import Jacobian, geometric_jacobian
+from kinsym.kinematics.tasks import fitting_task
+from kinsym.robot.model import Robot, Task
+
+
+@dataclass(frozen=True, kw_only=True)
+class Derivation:
+    """A robot with its kinematics; ``robot.task`` is the task that was solved."""
+
+    robot: Robot
+    chain: Chain
+    forward: Forward
+    jacobian: Jacobian
+    plan: Plan
+    schedule: Schedule
+
+
+def derive(robot: Robot, *, task: Task | None = None) -> Derivation:
+    """Derive forward kinematics, Jacobian and inverse kinematics of a robot.
+
+    Raises :class:`kinsym.errors.NoClosedForm` where no rule applies.
+
+    >>> from kinsym.robot import load
+    >>> derive(load("puma560")).plan.maximum
+    8
+    """
+    chain = build_chain(robot)
+    forward = forward_kinematics(chain)
+    jacobian = geometric_jacobian(chain, forward)
+    chosen = task or robot.task or fitting_task(chain, jacobian)
+    plan = derive_plan(chain, chosen)
+    robot = replace(robot, task=chosen)
+    schedule = build_schedule(robot, chain, forward, jacobian, plan)
+    return Derivation(robot=robot, chain=chain, forward=forward, jacobian=jacobian, plan=plan, schedule=schedule)

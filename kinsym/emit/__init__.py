@@ -1,0 +1,19 @@
+"""A schedule as source files, one small module a language.
+
+A target is a function from the schedule to texts by file name. To add a language: a printer and a target function
+in a module of this package, a folder of templates, and one entry here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from kinsym.emit.c_source import c_source
+from kinsym.emit.numpy_source import numpy_source
+from kinsym.emit.schedule import Schedule
+
+Target = Callable[[Schedule], dict[str, str]]
+
+TARGETS: dict[str, Target] = {"numpy": numpy_source, "c": c_source}
+
+__all__ = ["TARGETS", "Target"]

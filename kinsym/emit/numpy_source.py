@@ -1,0 +1,180 @@
+"""A schedule as a Python module that needs NumPy and nothing else.
+
+Poses lie along the last axis and every step that branches adds an axis of length two in front, so that the code of a
+step is written as for one pose and NumPy broadcasts it over poses and branches.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from kinsym.algebra.tree import ZERO, Tree
+from kinsym.emit.banner import banner, python_comment, python_docstring, python_string
+from kinsym.emit.environment import render
+from kinsym.emit.gate import gate_entries
+from kinsym.emit.kernels import ANGLE, KERNELS, kernels_used
+from kinsym.emit.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
+from kinsym.emit.printer import Printer, decimal
+from kinsym.emit.schedule import Schedule
+from kinsym.emit.statements import KernelCall, inverse_views
+from kinsym.emit.wrapping import WIDTH, cut, fill
+
+
+class NumpyPrinter(Printer):
+    """Expressions over arrays; names with an underscore are helpers of the generated module."""
+
+    functions = {
+        "sqrt": "np.sqrt",
+        "sin": "np.sin",
+        "cos": "np.cos",
+        "abs": "np.abs",
+        "sign": "_sign",
+        "atan2": "_angle",
+        "hypot": "np.hypot",
+        "wrap": "_wrap",
+    }
+    pi = "np.pi"
+
+
+def numpy_source(schedule: Schedule) -> dict[str, str]:
+    """The module of a robot, by file name."""
+    inverse = inverse_needs(schedule)
+    printer = NumpyPrinter()
+    names = {
+        "schedule": schedule,
+        "joints": len(schedule.joints),
+        "solutions": schedule.maximum,
+        "banner": [python_docstring(line) for line in banner(schedule)],
+        "fk": line_needs(schedule, schedule.forward),
+        "jacobian": line_needs(schedule, schedule.jacobian),
+        "poses": _entries("T", schedule.forward.outputs, 4, printer),
+        "jacobians": _entries("J", schedule.jacobian.outputs, len(schedule.joints), printer),
+        "inverse": inverse,
+        "statements": inverse_views(schedule, inverse, printer),
+        "functions": functions_used(schedule),
+        "gate": gate_entries(schedule.task),
+        "place": ENTRIES,
+        "axes": list(range(schedule.depth, -1, -1)),
+        "reals": [f"real{branch}" for branch in range(1, schedule.depth + 1)],
+        "results": results,
+        "kernel_call": kernel_call,
+        "number": decimal,
+        "string": python_string,
+        "expression": printer,
+        "code": code,
+        "comment": comment,
+    }
+    names |= _constants(schedule) | _signatures(schedule, inverse) | _helpers(inverse)
+    return {f"{schedule.name}.py": render("numpy/module.py.jinja", **names)}
+
+
+def _constants(schedule: Schedule) -> dict[str, Any]:
+    """What the module says about the robot."""
+    values = [
+        f'"{parameter.name}": {"None" if parameter.value is None else decimal(parameter.value)}'
+        for parameter in schedule.parameters
+    ]
+    return {
+        "complete": all(parameter.value is not None for parameter in schedule.parameters),
+        "names": _tuple(joint.name for joint in schedule.joints),
+        "kinds": _tuple(joint.kind for joint in schedule.joints),
+        "values": "{" + ", ".join(values) + "}",
+    }
+
+
+def _signatures(schedule: Schedule, inverse: InverseNeeds) -> dict[str, Any]:
+    """The heads of functions, and how parameters are handed on."""
+    every = [parameter.name for parameter in schedule.parameters]
+    keywords = [
+        parameter.name if parameter.value is None else f"{parameter.name}={decimal(parameter.value)}"
+        for parameter in schedule.parameters
+    ]
+    solving = every if schedule.gate else [parameter.name for parameter in inverse.parameters]
+    arguments = ["M", *(["defect"] if inverse.tau else []), *(["reference"] if inverse.reference else [])]
+    passed = [f"{name}={name}" for name in every]
+    return {
+        "passed": passed,
+        "check": code("", f"_check_parameters({', '.join(passed)})"),
+        "public": lambda name, first, *options: head(name, [first], [*options, *keywords]),
+        "blocks_call": ["T", "reference", f"({', '.join(solving)}{',' if len(solving) == 1 else ''})"],
+        "solve_head": head("_solve", arguments + solving),
+        "solve_call": [*(name if name != "reference" else "near[part].T" for name in arguments), "*parameters"],
+    }
+
+
+def _helpers(inverse: InverseNeeds) -> dict[str, Any]:
+    """Which helper functions the module holds."""
+    rules = kernels_used(inverse.statements)
+    return {
+        "kernels": rules,
+        "branching": any(KERNELS[rule].branches == 2 for rule in rules),
+        "freeing": any(KERNELS[rule].free and KERNELS[rule].outputs == ANGLE for rule in rules),
+    }
+
+
+def head(name: str, positional: list[str], keywords: Sequence[str] = ()) -> str:
+    """The first line of a function, or its lines if it is long.
+
+    >>> head("fk", ["q"], ["a2=0.5"])
+    'def fk(q, *, a2=0.5):'
+    """
+    arguments = ", ".join([*positional, *(["*", *keywords] if keywords else [])])
+    line = f"def {name}({arguments}):"
+    if len(line) <= WIDTH:
+        return line
+    return "\n".join([f"def {name}(", *(f"    {part}" for part in cut(arguments, WIDTH - 4)), "):"])
+
+
+def code(target: str, value: str, depth: int = 1) -> str:
+    """An assignment, or a bare call without a target; a long value goes on lines of its own, inside its brackets."""
+    indent = " " * 4 * depth
+    target = indent + (f"{target} = " if target and target != "return" else f"{target} ".lstrip())
+    line = target + value
+    if len(line) <= WIDTH:
+        return line
+    called, bracket, arguments = value.partition("(")
+    if bracket and called.replace(".", "").replace("_", "").isalnum() and _closes_last(arguments):
+        opening, body = f"{target}{called}(", arguments[:-1]
+    else:
+        opening, body = f"{target}(", value
+    return "\n".join([opening, *(f"{indent}    {part}" for part in cut(body, WIDTH - len(indent) - 4)), f"{indent})"])
+
+
+def _closes_last(text: str) -> bool:
+    """Whether the bracket that is open before a text is closed by its last letter."""
+    depth = 1
+    for position, letter in enumerate(text):
+        depth += (letter == "(") - (letter == ")")
+        if depth == 0:
+            return position == len(text) - 1
+    return False
+
+
+def comment(text: str, depth: int = 1) -> str:
+    """A comment at a depth of blocks."""
+    indent = " " * 4 * depth
+    return "\n".join(f"{indent}# {line}" for line in fill(python_comment(text), WIDTH - len(indent) - 2))
+
+
+def results(call: KernelCall) -> str:
+    """The names that a kernel's results get; what nothing reads is called _."""
+    names = [output.name if output.used else "_" for output in call.outputs]
+    return ", ".join([*names, f"real{call.branch}"] if call.branch else names)
+
+
+def kernel_call(call: KernelCall) -> str:
+    """The call of a kernel; one with two roots is told how many axes its results will have behind the new one."""
+    axes = [f"axes={call.level + 1}"] if call.branch else []
+    return f"_{call.rule}({', '.join([*call.arguments, *axes])})"
+
+
+def _tuple(names: Iterable[str]) -> str:
+    items = [f'"{name}"' for name in names]
+    return f"({', '.join(items)}{',' if len(items) == 1 else ''})"
+
+
+def _entries(array: str, values: tuple[Tree, ...], columns: int, printer: Printer) -> list[str]:
+    """Assignments to the entries of a matrix that was filled with zeros."""
+    places = ((divmod(number, columns), value) for number, value in enumerate(values) if value != ZERO)
+    return [code(f"{array}[..., {row}, {column}]", printer(value)) for (row, column), value in places]

@@ -1,0 +1,124 @@
+"""How many operations a generated function takes, counted in the schedule.
+
+The figures stand in the banner of every file. A minus sign is free, a power is its multiplications, a sine and a
+cosine of one angle are one. The inverse kinematics is counted with every branch taken; a statement at depth k runs
+2^k times.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import astuple, dataclass
+from fractions import Fraction
+
+from kinsym.algebra.tree import Call, Num, Pow, Prod, Quot, Sum, Tree, children
+from kinsym.emit.needs import inverse_needs, line_needs
+from kinsym.emit.printer import split_sign
+from kinsym.emit.schedule import Assign, Note, Schedule, StraightLine
+
+
+@dataclass(frozen=True)
+class Operations:
+    """Counts by kind."""
+
+    additions: int = 0
+    multiplications: int = 0
+    divisions: int = 0
+    roots: int = 0
+    sincos: int = 0
+    atan2: int = 0
+
+    def __add__(self, other: Operations) -> Operations:
+        return Operations(*(a + b for a, b in zip(astuple(self), astuple(other), strict=True)))
+
+    def __mul__(self, times: int) -> Operations:
+        return Operations(*(a * times for a in astuple(self)))
+
+    def __str__(self) -> str:
+        kinds = ("+ -", "*", "/", "sqrt", "sincos", "atan2")
+        return ", ".join(f"{count} {kind}" for count, kind in zip(astuple(self), kinds, strict=True) if count) or "none"
+
+
+#: What a kernel computes besides its inputs on its ordinary path, both roots together.
+_KERNELS = {
+    "direct": Operations(),
+    "length": Operations(),
+    "quotient": Operations(1, 4, 2, 1),
+    "quotient_length": Operations(0, 0, 1),
+    "homogeneous": Operations(1, 2, 2, 1),
+    "homogeneous2": Operations(2, 6, 2, 2),
+    "linear": Operations(7, 8, 4, 2),
+    "triangle": Operations(12, 14, 3, 1),
+    "direction": Operations(4, 9, 2, 1),
+    "quadratic": Operations(3, 1, 0, 1),
+}
+
+
+def _count(tree: Tree) -> Operations:
+    _, body = split_sign(tree)
+    match body:
+        case Sum(terms):
+            here = Operations(additions=len(terms) - 1)
+        case Prod(factors):
+            here = Operations(multiplications=len(factors) - 1)
+        case Pow(base, exponent):
+            return _count(base) * exponent + Operations(multiplications=exponent - 1)
+        case Quot():
+            here = Operations(divisions=1)
+        case Call("sqrt"):
+            here = Operations(roots=1)
+        case Call("hypot"):
+            here = Operations(additions=1, multiplications=2, roots=1)
+        case Call("atan2"):
+            here = Operations(atan2=1)
+        case Call("wrap"):
+            here = Operations(additions=2, multiplications=2)
+        case _:
+            here = Operations()
+    return sum(map(_count, children(body)), here)
+
+
+def _angles(tree: Tree) -> set[Tree]:
+    """The angles whose sine or cosine a tree takes."""
+    found = {angle for child in children(tree) for angle in _angles(child)}
+    return found | {tree.arguments[0]} if isinstance(tree, Call) and tree.function in ("sin", "cos") else found
+
+
+def _together(trees: Iterable[Tree]) -> Operations:
+    trees = list(trees)
+    angles = {angle for tree in trees for angle in _angles(tree)}
+    return sum(map(_count, trees), Operations(sincos=len(angles)))
+
+
+def line_operations(schedule: Schedule, line: StraightLine) -> Operations:
+    """The cost of forward kinematics or of the Jacobian, constants included."""
+    needs = line_needs(schedule, line)
+    return _together([*(item.value for item in (*needs.constants, *needs.definitions)), *line.outputs])
+
+
+def inverse_operations(schedule: Schedule) -> Operations:
+    """The cost of all solutions of one pose, without the test that it is a pose."""
+    needs = inverse_needs(schedule)
+    total = _together(item.value for item in needs.constants)
+    if needs.size:
+        total += _together([schedule.size])
+    for statement in needs.statements:
+        if isinstance(statement, Note):
+            continue
+        runs = 2**statement.level
+        if isinstance(statement, Assign):
+            total += _together([statement.value]) * runs
+        else:
+            total += (_together(statement.step.inputs.values()) + _KERNELS[statement.step.rule]) * runs
+    if schedule.gate:
+        total += (line_operations(schedule, schedule.forward) + Operations(additions=12)) * schedule.maximum
+    return total
+
+
+def operation_lines(schedule: Schedule) -> tuple[str, ...]:
+    """The three figures as the banner shows them."""
+    return (
+        f"fk        {line_operations(schedule, schedule.forward)}",
+        f"ik        {inverse_operations(schedule)} (for all solutions)",
+        f"jacobian  {line_operations(schedule, schedule.jacobian)}",
+    )

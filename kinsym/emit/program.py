@@ -1,0 +1,119 @@
+"""From the plan to a schedule: which assignment belongs to which branch depth.
+
+A quantity lives at the depth of the deepest quantity it is made of, so what depends on the pose alone is computed once,
+what depends on theta1's branch once for each of its values, and so on.
+"""
+
+from __future__ import annotations
+
+from kinsym.algebra.convert import tree_of
+from kinsym.algebra.tree import Call, Definition, Tree, symbols
+from kinsym.emit.schedule import Assign, JointName, Note, Parameter, Schedule, Solve, Statement
+from kinsym.emit.straight import forward_line, jacobian_line
+from kinsym.emit.text_formula import TextPrinter
+from kinsym.inverse.plan import Item, Plan, Step, Window
+from kinsym.inverse.rules import TITLES
+from kinsym.kinematics.chain import Chain
+from kinsym.kinematics.forward import Forward
+from kinsym.kinematics.jacobian import Jacobian
+from kinsym.robot.model import Robot
+from kinsym.robot.summary import digest, table_lines
+
+
+def build_schedule(robot: Robot, chain: Chain, forward: Forward, jacobian: Jacobian, plan: Plan) -> Schedule:
+    """Everything a generated module computes."""
+    levels = _Levels()
+    for item in plan.items:
+        levels.place(item)
+    for value in plan.values:
+        if value.wrapped:
+            levels.assign(Definition(name=value.variable, value=Call("wrap", (value.value,))))
+    return Schedule(
+        name=robot.name,
+        title=robot.title,
+        table=table_lines(robot),
+        digest=digest(robot),
+        joints=tuple(JointName(name=joint.variable, kind=joint.kind) for joint in chain.joints),
+        parameters=tuple(Parameter(name=name, value=value) for name, value in robot.parameters.items()),
+        constants=tuple(Definition(name=n, value=tree_of(e)) for n, e in chain.constants.formulas()),
+        forward=forward_line(chain),
+        jacobian=jacobian_line(chain, jacobian),
+        inverse=levels.statements(),
+        solution=tuple(value.variable for value in plan.values),
+        depth=levels.depth,
+        maximum=plan.maximum,
+        task=plan.task,
+        gate=plan.gate,
+        size=plan.size,
+        tau=plan.tau,
+    )
+
+
+class _Levels:
+    """Statements sorted by branch depth; the notes go with what they announce."""
+
+    def __init__(self) -> None:
+        self.depth = 0
+        self._level: dict[str, int] = {}
+        self._body: list[list[Statement]] = [[]]
+        self._openers: list[list[Statement]] = []
+        self._text = TextPrinter()
+
+    def place(self, item: Item) -> None:
+        """Put one item of the plan where it belongs."""
+        if isinstance(item, Definition):
+            self.assign(item)
+        elif isinstance(item, Window):
+            announced: set[int] = set()
+            for definition in item.definitions:
+                level = self._needs(definition.value)
+                if level not in announced:
+                    announced.add(level)
+                    self._note(level, f"T_{item.left}_{item.right}: what is known moved to the left side")
+                self.assign(definition)
+        else:
+            self._step(item)
+
+    def assign(self, definition: Definition) -> None:
+        """One assignment at the depth of its parts."""
+        level = self._needs(definition.value)
+        self._level[definition.name] = level
+        self._body[level].append(Assign(level=level, name=definition.name, value=definition.value))
+
+    def statements(self) -> tuple[Statement, ...]:
+        """All statements, level after level."""
+        result: list[Statement] = []
+        for level, body in enumerate(self._body):
+            result += body
+            if level < len(self._openers):
+                result += self._openers[level]
+        return tuple(result)
+
+    def _needs(self, *trees: Tree) -> int:
+        return max((self._level.get(name, 0) for tree in trees for name in symbols(tree)), default=0)
+
+    def _note(self, level: int, text: str) -> None:
+        self._body[level].append(Note(level=level, text=text))
+
+    def _step(self, step: Step) -> None:
+        equations = "; ".join(f"{self._text(e.lhs)} = {self._text(e.rhs)}" for e in step.equations)
+        text = f"({step.number}) {step.unknown}: {TITLES[step.rule]}: {equations}"
+        if step.branches == 1:
+            level = self._needs(*step.inputs.values(), *(d.value for d in step.coefficients))
+            self._note(level, text)
+            for definition in step.coefficients:
+                self.assign(definition)
+            self._body[level].append(Solve(level=level, step=step))
+            for name in step.outputs:
+                self._level[name] = level
+            return
+        level = self.depth
+        opener: list[Statement] = [Note(level=level, text=text)]
+        for definition in step.coefficients:
+            self._level[definition.name] = level
+            opener.append(Assign(level=level, name=definition.name, value=definition.value))
+        self._openers.append([*opener, Solve(level=level, step=step)])
+        self.depth += 1
+        self._body.append([])
+        for name in step.outputs:
+            self._level[name] = self.depth

@@ -1,0 +1,97 @@
+"""One schedule for every language: what is computed, in which order, at which branch depth.
+
+The printers of NumPy and C read this and nothing else. A statement of level k may use everything of levels 0..k;
+level k starts after the k-th step that branches. In C a level is a loop, in NumPy it is an axis.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from kinsym.algebra.tree import Tree
+from kinsym.inverse.plan import Definition, Step
+from kinsym.robot.model import Task
+
+
+@dataclass(frozen=True, kw_only=True)
+class StraightLine:
+    """Assignments in order and the row-major values they lead to."""
+
+    definitions: tuple[Definition, ...]
+    outputs: tuple[Tree, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Note:
+    """A comment before what follows: equation number, rule, the equation in text."""
+
+    level: int
+    text: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Assign:
+    """``name = value`` at a branch depth."""
+
+    level: int
+    name: str
+    value: Tree
+
+
+@dataclass(frozen=True, kw_only=True)
+class Solve:
+    """A call of the numerical kernel ``step.rule``; opens level + 1 if ``step.branches`` is 2."""
+
+    level: int
+    step: Step
+
+
+Statement = Note | Assign | Solve
+
+
+@dataclass(frozen=True, kw_only=True)
+class Parameter:
+    """A run-time parameter; ``value`` is the table's, None if the caller must give one."""
+
+    name: str
+    value: Fraction | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class JointName:
+    """A joint variable and its kind, ``"R"`` or ``"P"``."""
+
+    name: str
+    kind: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Schedule:
+    """All that a generated module computes.
+
+    constants   derived constants (sqrt(2)*a, cos of a twist), from parameters alone, in order.
+    forward     12 outputs: rows x, y, z of T, each u, v, w, p.
+    jacobian    6 n outputs, row-major: velocity rows first, then angular velocity rows.
+    inverse     the statements of the inverse kinematics; the names u_x..p_z are the entries of the pose.
+    solution    the names of the joint values, in the order of joints, known at level ``depth``.
+    maximum     the largest number of solutions, 2 ** depth.
+    """
+
+    name: str
+    title: str
+    table: tuple[str, ...]
+    digest: str
+    joints: tuple[JointName, ...]
+    parameters: tuple[Parameter, ...]
+    constants: tuple[Definition, ...]
+    forward: StraightLine
+    jacobian: StraightLine
+    inverse: tuple[Statement, ...]
+    solution: tuple[str, ...]
+    depth: int
+    maximum: int
+    task: Task
+    gate: bool
+    size: Tree
+    tau: Fraction

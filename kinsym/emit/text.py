@@ -1,0 +1,293 @@
+"""The equations of a robot for a terminal: its table, forward kinematics, numbered derivation and solutions.
+
+Everything is read from the derivation that the code printers read as well; the names are those of the generated
+source.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from kinsym.algebra.tree import Definition, Tree
+from kinsym.emit.breaking import TEXT, broken
+from kinsym.emit.cells import cell_tree
+from kinsym.emit.text_formula import TextPrinter
+from kinsym.emit.wording import (
+    CONVENTIONS,
+    GATE,
+    POSE,
+    TASKS,
+    Loop,
+    axis_definitions,
+    branch_marks,
+    branch_rows,
+    branchings,
+    counted,
+    decimal,
+    found_by_sum,
+    loops,
+    one_line,
+    origins,
+    rule_title,
+    shown_items,
+)
+from kinsym.emit.wrapping import fill
+from kinsym.inverse.cut import link_letter
+from kinsym.inverse.plan import Plan, Step, Window
+from kinsym.robot.model import Convention, Robot, Vector
+
+if TYPE_CHECKING:
+    from kinsym.derivation import Derivation
+    from kinsym.kinematics.forward import Forward
+    from kinsym.kinematics.jacobian import Jacobian
+
+
+@dataclass(frozen=True, kw_only=True)
+class Page:
+    """How wide and in which letters to write."""
+
+    width: int = 96
+    ascii: bool = False
+
+    @property
+    def formula(self) -> TextPrinter:
+        """The printer of formulas."""
+        return TextPrinter(ascii=self.ascii)
+
+    def equation(self, left: str, right: Tree | str, *, indent: int = 2, relation: str = "=") -> str:
+        """``left = right``, broken under the relation where it is too long."""
+        text = right if isinstance(right, str) else self.formula(right)
+        head = f"{' ' * indent}{left} {relation} "
+        room = self.width - len(head)
+        if room < self.width // 3:
+            lines = [f"{' ' * indent}{left}"]
+            head = f"{' ' * (indent + 4)}{relation} "
+            room = self.width - len(head)
+        else:
+            lines = []
+        for k, line in enumerate(broken(text, room, syntax=TEXT)):
+            lines.append(f"{' ' * (len(head) + 2 * line.depth) if k else head}{line.text}")
+        return "\n".join(lines)
+
+    def prose(self, text: str, *, indent: int = 2) -> str:
+        """A sentence, filled."""
+        return "\n".join(" " * indent + line for line in fill(text, self.width - indent))
+
+    def columns(self, rows: Iterable[Sequence[str]], *, indent: int = 2) -> str:
+        """Rows of cells in aligned columns."""
+        table = [list(row) for row in rows]
+        widths = [max(map(len, column)) for column in zip(*table, strict=True)]
+        lines = ("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)) for row in table)
+        return "\n".join(" " * indent + line.rstrip() for line in lines)
+
+
+def _heading(text: str) -> str:
+    return f"{text}\n{'-' * len(text)}"
+
+
+def _vector(vector: Vector, page: Page) -> str:
+    return f"({', '.join(page.formula(cell_tree(cell)) for cell in vector)})"
+
+
+def table(robot: Robot, page: Page | None = None) -> str:
+    """The robot's table as its user wrote it, with the home pose of a screw table, base and tool."""
+    page = page or Page()
+    screw = robot.convention is Convention.SCREW
+    craig = robot.convention is Convention.CRAIG
+    head = ("s", "s0") if screw else ("alpha_i-1", "a_i-1", "d_i", "theta_i") if craig else ("alpha", "a", "d", "theta")
+    rows: list[tuple[str, ...]] = [("i", "joint", *head)]
+    for number, joint in enumerate(robot.joints, start=1):
+        cells = (joint.alpha, joint.a, joint.d, joint.theta)
+        if screw:
+            texts = tuple("" if vector is None else _vector(vector, page) for vector in (joint.s, joint.s0))
+        else:
+            texts = tuple("" if cell is None else page.formula(cell_tree(cell)) for cell in cells)
+        rows.append((str(number), joint.kind, *texts))
+    parts = [page.columns(rows)]
+    if robot.home is not None:
+        home = robot.home
+        vectors = (("u0", home.u0), ("v0", home.v0), ("w0", home.w0), ("q0", home.q0))
+        parts.append("  home pose: " + ", ".join(f"{name} = {_vector(vector, page)}" for name, vector in vectors))
+    for name, fixed in (("base", robot.base), ("tool", robot.tool)):
+        if fixed is not None:
+            cells_of = [[page.formula(cell_tree(cell)) for cell in row] for row in fixed]
+            parts.append(f"  {name}:\n{page.columns(cells_of, indent=4)}")
+    return "\n".join(parts)
+
+
+def parameters(robot: Robot) -> str:
+    """The parameters found in the table; those without a value are required arguments of the generated code."""
+    if not robot.parameters:
+        return "  none"
+    rows = (
+        (name, "no value: a required argument of the generated code" if value is None else f"= {decimal(value)}")
+        for name, value in robot.parameters.items()
+    )
+    return Page().columns(rows)
+
+
+def links(forward: Forward, page: Page | None = None) -> str:
+    """The link transforms as matrices."""
+    page = page or Page()
+    parts = []
+    for link in forward.links:
+        cells = [[page.formula(cell) for cell in row] for row in link.matrix[:3]]
+        rows = page.columns(cells, indent=0).splitlines()
+        head = f"  {link.name} = "
+        parts.append("\n".join((head if k == 1 else " " * len(head)) + row for k, row in enumerate(rows)))
+    return "\n\n".join(parts)
+
+
+def forward_kinematics(forward: Forward, page: Page | None = None) -> str:
+    """The twelve entries of the pose, nested by joint."""
+    page = page or Page()
+    entries = ((name, forward.pose[row][column]) for column, name_row in enumerate(POSE) for row, name in name_row)
+    return "\n".join(page.equation(name, entry) for name, entry in entries)
+
+
+def jacobian(forward: Forward, jacobian: Jacobian, page: Page | None = None) -> str:
+    """Axis directions z_i, axis points o_i and the columns of the geometric Jacobian in the base frame."""
+    page = page or Page()
+    head = "columns [z_i x (oE - o_i); z_i] for R, [z_i; 0] for P in the base frame, velocity above; oE = p"
+    parts = [page.prose(head)]
+    parts += [page.equation(item.name, item.value) for item in axis_definitions(forward, jacobian)]
+    for number, column in enumerate(zip(*jacobian.entries, strict=True), start=1):
+        text = f"({', '.join(map(page.formula, column))})"
+        parts.append(page.equation(f"J_{number}", text))
+    return "\n".join(parts)
+
+
+def _window(loop: Loop, letter: str, page: Page) -> str:
+    window = loop.window
+    name = f"T_{window.left}_{window.right}"
+    if loop.whole:
+        head = page.prose(f"{name} is T without the constants before the first and after the last joint:")
+    else:
+        left = [f"{letter}{k}^-1" for k in loop.left]
+        right = [f"{letter}{k}^-1" for k in loop.right]
+        head = f"  {name} = {' '.join([*left, f'T_{loop.before[0]}_{loop.before[1]}', *right])}"
+        if right:
+            head += "\n" + page.prose(f"without the constant that follows joint {window.right}:", indent=6)
+    return "\n".join([head, *(page.equation(item.name, item.value, indent=6) for item in window.definitions)])
+
+
+def _relation(relation: tuple[Tree, str, Tree], page: Page) -> str:
+    left, sign, right = relation
+    return f"{page.formula(left)} {sign} {page.formula(right)}"
+
+
+def _step(step: Step, before: Step | None, page: Page) -> str:
+    branches = f", {counted(step.branches, 'branch')}" if step.branches > 1 else ""
+    lines = [f"  {step.number}. {step.unknown}: {rule_title(step.rule)}{branches}"]
+    if step.why:
+        lines.append(page.prose(step.why, indent=6))
+    for origin in origins(step, before):
+        lines.append(page.prose(f"from {origin.text}{':' if origin.equations else ''}", indent=6))
+        lines += [page.equation(page.formula(part.lhs), part.rhs, indent=8) for part in origin.equations]
+    if step.coefficients:
+        lines.append("      with")
+        lines += [page.equation(item.name, item.value, indent=8) for item in step.coefficients]
+    lines.append("      solution")
+    for (name, value), mark in zip(step.solution, branch_marks(step), strict=True):
+        note = f"    (branch {mark})" if mark else ""
+        lines.append(page.equation(name, value, indent=8) + note)
+    if step.condition is not None:
+        lines.append(f"      real if {_relation(step.condition, page)}")
+    if step.degenerate is not None:
+        lines.append(f"      free if {_relation(step.degenerate, page)}")
+    return "\n".join(lines)
+
+
+def derivation_steps(robot: Robot, plan: Plan, page: Page | None = None) -> str:
+    """The numbered derivation: what moves to the left, what each step solves, by which rule, and when it fails."""
+    page = page or Page()
+    count = len(robot.moving)
+    letter = link_letter(robot)
+    windows = loops(plan, count)
+    head = [page.prose(f"given: {TASKS[plan.task]}, as entries of T = [u v w p]")]
+    if (0, count) not in windows:
+        head.append(f"  T_0_{count} = T")
+    if letter != "A":
+        head.append(page.prose(f"{letter}i is the motion of joint i with the constant transform to the next joint"))
+    parts = ["\n".join(head)]
+    names: list[str] = []
+    before: Step | None = None
+    for item in shown_items(plan):
+        if isinstance(item, Definition):
+            names.append(page.equation(item.name, item.value))
+            continue
+        if names:
+            parts.append("\n".join(names))
+            names = []
+        if isinstance(item, Window):
+            parts.append(_window(windows[item.left, item.right], letter, page))
+        else:
+            parts.append(_step(item, before, page))
+            before = item
+    return "\n\n".join([*parts, "\n".join(names)] if names else parts)
+
+
+def joint_values(plan: Plan, page: Page | None = None) -> str:
+    """The joint variables that are sums of angles found; empty if every step found a joint variable itself."""
+    page = page or Page()
+    parts = []
+    for value in plan.values:
+        if found_by_sum(value):
+            note = ", taken into (-pi, pi]" if value.wrapped else ""
+            parts.append(page.equation(value.variable, page.formula(value.value) + note))
+    return "\n".join(parts)
+
+
+def solutions(plan: Plan, page: Page | None = None) -> str:
+    """How many solutions there are and which branch each of them takes."""
+    page = page or Page()
+    forks = branchings(plan)
+    if not forks:
+        lines = ["  one solution"]
+    else:
+        factors = f" = {' x '.join('2' for _ in forks)}" if len(forks) > 1 else ""
+        lines = [
+            f"  at most {counted(plan.maximum, 'solution')}{factors};",
+            page.prose("+ is the upper sign or the first value of a step with two branches, - the other:"),
+            "",
+        ]
+        head = ("solution", *(f"step {fork.number}: {fork.unknown}" for fork in forks))
+        lines.append(page.columns([head, *((str(number), *signs) for number, signs in branch_rows(plan))]))
+    if plan.gate:
+        lines.append("")
+        lines.append(page.prose(GATE))
+    return "\n".join(lines)
+
+
+def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, full: bool = False) -> str:
+    """Everything a reader wants to see of a derivation, in the order of the lecture.
+
+    ``full`` adds the link transforms and the Jacobian; ``ascii`` writes ``+-`` for ``±``.
+    """
+    page = Page(width=width, ascii=ascii)
+    robot, plan = derivation.robot, derivation.plan
+    product = [link.name for link in derivation.forward.links]
+    product += ["[u0 v0 w0 q0]"] if robot.home else []
+    product = [*(["base"] if robot.base else []), *product, *(["tool"] if robot.tool else [])]
+    title = one_line(robot.title) or robot.name
+    found = joint_values(plan, page)
+    sections = [
+        f"{title}\n{'=' * len(title)}",
+        f"{_heading(CONVENTIONS[robot.convention])}\n{table(robot, page)}",
+        f"{_heading('Parameters')}\n{parameters(robot)}",
+    ]
+    if full:
+        sections.append(f"{_heading('Link transforms')}\n{links(derivation.forward, page)}")
+    sections.append(
+        f"{_heading('Forward kinematics')}\n"
+        f"  T = {' '.join(product)} = [u v w p]\n\n{forward_kinematics(derivation.forward, page)}"
+    )
+    if full:
+        sections.append(f"{_heading('Jacobian')}\n{jacobian(derivation.forward, derivation.jacobian, page)}")
+    sections.append(f"{_heading('Inverse kinematics')}\n{derivation_steps(robot, plan, page)}")
+    if found:
+        sections.append(f"{_heading('Joint values')}\n{found}")
+    sections.append(f"{_heading('Solutions')}\n{solutions(plan, page)}")
+    return "\n\n".join(sections) + "\n"

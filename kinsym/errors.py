@@ -1,0 +1,38 @@
+"""The one exception family of kinsym.
+
+Every message has three parts: what is wrong, where it is, how to mend it. The command line turns a
+:class:`KinsymError` into one line on standard error and into the exit status the class carries.
+"""
+
+from __future__ import annotations
+
+
+class KinsymError(Exception):
+    """What the user did, asked for or owns cannot be used; ``str(error)`` says what, where and how to mend it."""
+
+    exit_status = 2
+
+
+class RobotError(KinsymError):
+    """The description of the robot is wrong."""
+
+    def __init__(self, what: str, *, where: str = "", remedy: str = "") -> None:
+        self.what, self.where, self.remedy = what, where, remedy
+        head = f"{where}: {what}" if where else what
+        super().__init__(f"{head}. {remedy}" if remedy else head)
+
+
+class OutputError(KinsymError):
+    """The files cannot be written or read back."""
+
+
+class NoClosedForm(KinsymError):
+    """The search ended without a plan; the message names what is left and which geometry blocks it."""
+
+    exit_status = 1
+
+
+class CheckFailed(KinsymError):
+    """Generated source disagrees with the equations it was made from."""
+
+    exit_status = 1

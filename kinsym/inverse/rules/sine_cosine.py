@@ -1,0 +1,129 @@
+"""Two equations linear in the cosine and sine of one angle (lecture 2.90, 2.91; Cramer's rule with mu, nu, gamma).
+
+If the determinant is constant the pair is read off and nothing can vanish: ``direct``. Otherwise ``quotient``: the
+angle is free where the determinant is zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+from itertools import combinations
+
+from kinsym.algebra.field import PRIME
+from kinsym.algebra.ring import Poly
+from kinsym.algebra.tree import ZERO, Definition, Quot, Tree, mul, sub
+from kinsym.inverse.plan import Step
+from kinsym.inverse.rules.base import (
+    Candidate,
+    LinearForm,
+    Names,
+    Outcome,
+    View,
+    angle_value,
+    edge,
+    shown,
+    tolerance,
+)
+from kinsym.inverse.state import State
+
+TITLES = {
+    "direct": "cosine and sine given directly",
+    "quotient": "cosine and sine from two linear equations",
+}
+DIRECT_COST, QUOTIENT_COST = 0, 15
+WIDEST = 14
+"""How many of the shortest equations of an angle are paired."""
+
+
+def candidates(view: View) -> Iterator[Candidate]:
+    """Pairs of linear forms in one angle whose determinant does not vanish."""
+    state = view.state
+    for forms in view.linear.values():
+        for first, second in combinations(forms[:WIDEST], 2):
+            determinant = _cross(state, first.a, first.b, second.a, second.b)
+            values = state.values(determinant)
+            if not any(values):
+                continue
+            terms = first.terms + second.terms
+            sign = 1 if all(v == 1 for v in values) else -1 if all(v == PRIME - 1 for v in values) else 0
+            if sign:
+                build = partial(_direct, state, first, second, state.chain.ring.one * sign)
+            elif state.chain.ring.is_constant(determinant):
+                build = partial(_direct, state, first, second, determinant)
+            else:
+                build = partial(_quotient, state, first, second)
+            constant = build.func is _direct
+            yield Candidate(DIRECT_COST if constant else QUOTIENT_COST, terms, first.angle.name, build)
+
+
+def _cross(state: State, a: Poly, b: Poly, c: Poly, d: Poly) -> Poly:
+    """``a*d - b*c``."""
+    ring = state.chain.ring
+    return ring.mul(a, d) - ring.mul(b, c)
+
+
+def _direct(state: State, first: LinearForm, second: LinearForm, determinant: Poly, names: Names) -> Outcome:
+    angle = first.angle
+    c = _divided(state, _cross(state, first.e, first.b, second.e, second.b), determinant)
+    s = _divided(state, _cross(state, first.a, first.e, second.a, second.e), determinant)
+    value = angle_value(angle)
+    step = Step(
+        number=names.step(),
+        unknown=angle.name,
+        rule="direct",
+        equations=(shown(state, first.equation), shown(state, second.equation)),
+        coefficients=(),
+        inputs={"c": c, "s": s},
+        outputs=(angle.cosine, angle.sine),
+        branches=1,
+        unit=max(first.equation.unit, second.equation.unit),
+        reference=angle.terms,
+        solution=((angle.cosine, c), (angle.sine, s), (angle.name, value.value)),
+        condition=None,
+        degenerate=None,
+        why="cosine and sine follow from known quantities without a division that can vanish",
+    )
+    return Outcome((step, value), state.known.with_angle(edge(angle)))
+
+
+def _divided(state: State, numerator: Poly, constant: Poly) -> Tree:
+    if constant.is_ground:
+        return state.tree(numerator.quo_ground(constant.coeff(1)))
+    return Quot(state.tree(numerator), state.tree(constant))
+
+
+def _quotient(state: State, first: LinearForm, second: LinearForm, names: Names) -> Outcome:
+    angle = first.angle
+    definitions: list[Definition] = []
+
+    def coefficient(stem: str, poly: Poly) -> Tree:
+        return names.short(stem, state.tree(poly), definitions)
+
+    mu1, nu1, gamma1 = coefficient("mu", first.a), coefficient("nu", first.b), coefficient("gamma", first.e)
+    mu2, nu2, gamma2 = coefficient("mu", second.a), coefficient("nu", second.b), coefficient("gamma", second.e)
+    d = sub(mul(mu1, nu2), mul(mu2, nu1))
+    x = sub(mul(gamma1, nu2), mul(gamma2, nu1))
+    y = sub(mul(mu1, gamma2), mul(mu2, gamma1))
+    value = angle_value(angle)
+    step = Step(
+        number=names.step(),
+        unknown=angle.name,
+        rule="quotient",
+        equations=(shown(state, first.equation), shown(state, second.equation)),
+        coefficients=tuple(definitions),
+        inputs={"x": x, "y": y, "d": d, "t": tolerance(first.equation.unit + second.equation.unit)},
+        outputs=(angle.cosine, angle.sine),
+        branches=1,
+        unit=max(first.equation.unit, second.equation.unit),
+        reference=angle.terms,
+        solution=(
+            (angle.cosine, Quot(x, d)),
+            (angle.sine, Quot(y, d)),
+            (angle.name, value.value),
+        ),
+        condition=None,
+        degenerate=(d, "=", ZERO),
+        why="two equations are linear in the cosine and sine of this angle alone (Cramer's rule)",
+    )
+    return Outcome((step, value), state.known.with_angle(edge(angle)))

@@ -1,0 +1,1 @@
+"""What the lecture states: link transforms, the chain, forward kinematics, the Jacobian."""

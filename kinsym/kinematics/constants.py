@@ -1,0 +1,153 @@
+"""The constants of a table as generators of the ring.
+
+Cells hold lengths and angles. A length becomes a polynomial in the parameters; what is no polynomial (sqrt(2), 1/b)
+becomes a named constant. An angle that is a multiple of pi/2 is exact; any other twist or offset gets a cosine and a
+sine of its own, as Pieper's equations in the lecture need (c alpha1, s alpha1).
+"""
+
+from __future__ import annotations
+
+import random
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from sympy import Add, Expr, Integer, Mul, Rational, Symbol, cos, pi, sin
+from sympy.ntheory import sqrt_mod
+
+from kinsym.algebra.field import PRIME, Point, angle_point, circle_point, turn
+from kinsym.algebra.ring import Generator, Kind, Poly, Ring
+
+
+@dataclass
+class Constants:
+    """Collects the constants of a table first, then turns cells into polynomials of the finished ring."""
+
+    parameters: list[str]
+    derived: dict[Expr, str] = field(default_factory=dict)
+    angles: dict[Expr, str] = field(default_factory=dict)
+
+    def note_length(self, cell: Expr) -> None:
+        """Register whatever a length cell needs."""
+        for term in Add.make_args(cell.expand()):
+            for factor in Mul.make_args(term):
+                if not _polynomial(factor) and factor not in self.derived:
+                    self.derived[factor] = f"const{len(self.derived) + 1}"
+
+    def note_angle(self, cell: Expr, name: str) -> None:
+        """Register the cosine and sine of an angle cell under a name such as ``alpha1``."""
+        generic, _, _ = split_angle(cell)
+        if generic != 0 and generic not in self.angles:
+            text = str(generic)
+            chosen = text if isinstance(generic, Symbol) else name
+            taken = set(self.angles.values())
+            while chosen in taken:
+                chosen += "_"
+            self.angles[generic] = chosen
+
+    def generators(self) -> list[Generator]:
+        """The generators of everything registered, then the parameters that occur as lengths."""
+        result: list[Generator] = []
+        for name in self.angles.values():
+            result.append(Generator("c" + name, Kind.CONSTANT))
+            result.append(Generator("s" + name, Kind.CONSTANT, "c" + name))
+        for expression, name in self.derived.items():
+            squared = expression**2
+            square = Fraction(int(squared.p), int(squared.q)) if isinstance(squared, Rational) else None
+            result.append(Generator(name, Kind.CONSTANT, square))
+        result.extend(Generator(name, Kind.PARAMETER) for name in self.parameters)
+        return result
+
+    def length(self, ring: Ring, cell: Expr) -> Poly:
+        """A length cell as a polynomial."""
+        total = ring.zero
+        for term in Add.make_args(cell.expand()):
+            product = ring.one
+            for factor in Mul.make_args(term):
+                product *= self._factor(ring, factor)
+            total += product
+        return ring.reduce(total)
+
+    def _factor(self, ring: Ring, factor: Expr) -> Poly:
+        if factor in self.derived:
+            return ring[self.derived[factor]]
+        if isinstance(factor, Rational):
+            return ring.number(Fraction(int(factor.p), int(factor.q)))
+        if isinstance(factor, Symbol):
+            return ring[factor.name]
+        base, exponent = factor.as_base_exp()
+        return ring[base.name] ** int(exponent)
+
+    def angle(self, ring: Ring, cell: Expr) -> tuple[Poly, Poly]:
+        """The cosine and sine of an angle cell."""
+        generic, sign, quarters = split_angle(cell)
+        if generic == 0:
+            c, s = ring.one, ring.zero
+        else:
+            name = self.angles[generic]
+            c, s = ring["c" + name], ring["s" + name] * sign
+        for _ in range(quarters):
+            c, s = -s, c
+        return c, s
+
+    def formulas(self) -> list[tuple[str, Expr]]:
+        """Each constant with its expression over the parameters, in an order that can be computed."""
+        result: list[tuple[str, Expr]] = []
+        for expression, name in self.angles.items():
+            result += [("c" + name, cos(expression, evaluate=False)), ("s" + name, sin(expression, evaluate=False))]
+        result.extend((name, expression) for expression, name in self.derived.items())
+        return result
+
+    def sample(self, generator: random.Random) -> dict[str, int]:
+        """Values modulo the prime: exact where the field holds them, random points otherwise."""
+        values = {name: generator.randrange(1, PRIME) for name in self.parameters}
+        for expression, name in self.angles.items():
+            values["c" + name], values["s" + name] = _angle_value(expression, generator)
+        for expression, name in self.derived.items():
+            squared = expression**2
+            root = None
+            if isinstance(squared, Rational):
+                value = int(squared.p) * pow(int(squared.q), -1, PRIME) % PRIME
+                root = sqrt_mod(value, PRIME)
+            values[name] = int(root) if root is not None else generator.randrange(1, PRIME)
+        return values
+
+
+def _polynomial(factor: Expr) -> bool:
+    if isinstance(factor, (Rational, Symbol)):
+        return True
+    base, exponent = factor.as_base_exp()
+    return isinstance(base, Symbol) and isinstance(exponent, Integer) and int(exponent) > 0
+
+
+def split_angle(cell: Expr) -> tuple[Expr, int, int]:
+    """An angle as ``sign * generic + quarters * pi/2`` with generic 0 or of canonical sign.
+
+    >>> split_angle(pi / 2 - Symbol("b"))
+    (b, -1, 1)
+    """
+    expanded = cell.expand()
+    turns = expanded.coeff(pi) if expanded.has(pi) else Integer(0)
+    rest = expanded - turns * pi
+    if not isinstance(turns, Rational):
+        return _canonical(expanded, 0)
+    quarters = int((2 * turns) // 1)
+    remainder = (turns - Rational(quarters, 2)) * pi
+    return _canonical(rest + remainder, quarters % 4)
+
+
+def _canonical(generic: Expr, quarters: int) -> tuple[Expr, int, int]:
+    if generic != 0 and generic.could_extract_minus_sign():
+        return -generic, -1, quarters
+    return generic, 1, quarters
+
+
+def _angle_value(expression: Expr, generator: random.Random) -> Point:
+    """A point of the circle for an angle; multiples of pi/2520 are exact, sums follow from their terms."""
+    total: Point = (1, 0)
+    for term in Add.make_args(expression):
+        multiple = term / pi
+        exact = None
+        if isinstance(multiple, Rational):
+            exact = angle_point(Fraction(int(multiple.p), int(multiple.q)))
+        total = turn(total, exact if exact is not None else circle_point(generator))
+    return total

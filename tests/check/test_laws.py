@@ -1,0 +1,70 @@
+"""The checks find what is wrong: a hand-made module passes, and every fault put into it fails a law."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinsym.check import examination as laws
+from kinsym.check.compare import compare
+from kinsym.check.report import FAILED, at_most
+from kinsym.check.sources import IMPORT
+from tests.check import hand
+
+
+def failures(module: str) -> set[str]:
+    """The laws that a module by hand breaks."""
+    findings = compare(hand.derivation(), {"hand_rr.py": module})
+    return {check.law for check in findings.checks if check.status == FAILED}
+
+
+def test_the_module_passes() -> None:
+    """More than a thousand poses of every kind, two solutions at random poses."""
+    findings = compare(hand.derivation(), {"hand_rr.py": hand.MODULE})
+    assert [check for check in findings.checks if check.status == FAILED] == []
+    assert findings.figures["poses"] >= 1000
+    assert all(findings.figures["poses_by_kind"].values())
+    assert findings.figures["solutions_at_random_poses"] == {"least": 2, "usual": 2, "most": 2}
+
+
+FAULTS = {
+    "sign in fk": ("+ l2 * np.sin(b)\n    return", "- l2 * np.sin(b)\n    return", laws.FORWARD_LAW),
+    "sign in the Jacobian": ("= -T[..., 1, 3], T", "= T[..., 1, 3], T", laws.JACOBIAN_LAW),
+    "sign in ik": ("x * along + y * b", "x * along - y * b", laws.INVERSE_LAW),
+    "a branch lost": ("reach & ~border]", "reach & False]", laws.FOUND_LAW),
+    "order of branches": ("enumerate((1.0, -1.0))", "enumerate((-1.0, 1.0))", laws.AGREE_LAW),
+    "border not merged": ("reach & ~border]", "reach]", laws.COPY_LAW),
+    "no clamp at the border": ("reach = (f1 >= -t1) & (f2 >= -t2)", "reach = (f1 > 0) & (f2 > 0)", laws.FOUND_LAW),
+    "reach not tested": ("reach = (f1 >= -t1) & (f2 >= -t2)", "reach = f1 < 1e300", laws.FAR_LAW),
+    "NaN in what is valid": ("np.where(valid[..., None], q, np.nan), valid", "q * np.nan, valid", laws.INVERSE_LAW),
+    "angle out of range": (
+        "return np.where(valid[..., None], q,",
+        "return np.where(valid[..., None], q + 7,",
+        laws.RANGE_LAW,
+    ),
+    "reflection answered": ("np.linalg.det(np.where(np.isfinite(R), R, 0.0)) > 0", "True", laws.REFUSE_LAW),
+    "single and batch differ": ("return q[valid]", "return q[valid][::-1]", laws.SINGLE_LAW),
+    "noise refused": ("G <= 1e-6", "G <= 1e-12", laws.ERROR_LAW),
+    "parameter ignored": (
+        "q = np.asarray(q, dtype=float)\n",
+        "q = np.asarray(q, dtype=float)\n    l1 = 0.6\n",
+        laws.FORWARD_LAW,
+    ),
+    "no Python": ("import numpy as np", "import numpy as", IMPORT),
+    "wrong names": ('JOINTS = ("theta1", "theta2")', 'JOINTS = ("theta2", "theta1")', IMPORT),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_faults_are_found(fault: str) -> None:
+    """Each fault breaks the law that is there for it."""
+    old, new, law = FAULTS[fault]
+    assert hand.MODULE.count(old) == 1
+    assert law in failures(hand.MODULE.replace(old, new))
+
+
+def test_figures_are_rounded_upward() -> None:
+    """A bound is never below the value."""
+    assert at_most(3.0000001e-15) == "<= 4e-15"
+    assert at_most(9.5e-16) == "<= 1e-15"
+    assert at_most(0.0) == "0"
+    assert at_most(float("inf")) == "not finite"

@@ -1,0 +1,231 @@
+"""The numerical kernels of both languages, one by one: at ordinary inputs, on borders and where an unknown is free."""
+
+from __future__ import annotations
+
+import ctypes
+import math
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+import pytest
+
+from kinsym.emit.kernels import KERNELS
+from tests.emit.built import CLibrary, needs_compiler, numpy_module
+from tests.emit.schedules import every_kernel
+
+T = 1e-12  # a tolerance that is easy to step over on both sides
+REFERENCE = 0.3
+Roots = list[tuple[float, ...]]
+Kernel = Callable[..., Roots]
+HELPED = [rule for rule, kernel in KERNELS.items() if not kernel.plain]
+
+
+def _wrapper(rule: str) -> str:
+    """An exported C function that calls a static kernel: inputs and reference in, number of roots and outputs out."""
+    kernel = KERNELS[rule]
+    inputs = [f"in[{i}]" for i in range(len(kernel.inputs) + kernel.free)]
+    outputs = [f"out + {2 * i}" for i in range(len(kernel.outputs))]
+    call = f"solve_{rule}({', '.join(inputs + outputs)})"
+    body = f"return {call};" if kernel.branches == 2 else f"{call}; return 1;"
+    return f"int test_{rule}(const double *in, double *out);\nint test_{rule}(const double *in, double *out) {{ {body} }}\n"
+
+
+@cache
+def _library() -> ctypes.CDLL:
+    return CLibrary(every_kernel(), "\n" + "".join(map(_wrapper, HELPED))).library
+
+
+@cache
+def _module() -> object:
+    return numpy_module(every_kernel())
+
+
+def in_c(rule: str, reference: float = REFERENCE, **inputs: float) -> Roots:
+    """The roots that the C kernel gives."""
+    kernel = KERNELS[rule]
+    values = [inputs[name] for name in kernel.inputs] + [reference] * kernel.free
+    given, out = (ctypes.c_double * len(values))(*values), (ctypes.c_double * (2 * len(kernel.outputs)))()
+    count = getattr(_library(), f"test_{rule}")(given, out)
+    return [
+        tuple(out[2 * place + (root if rooted else 0)] for place, (_, rooted) in enumerate(kernel.outputs))
+        for root in range(count)
+    ]
+
+
+def in_numpy(rule: str, reference: float = REFERENCE, **inputs: float) -> Roots:
+    """The roots that the NumPy kernel gives for a block of one pose."""
+    kernel = KERNELS[rule]
+    values = [np.array([inputs[name]]) for name in kernel.inputs] + [np.array([reference])] * kernel.free
+    function = getattr(_module(), f"_{rule}")
+    with np.errstate(all="ignore"):
+        results = function(*values, axes=1) if kernel.branches == 2 else function(*values)
+    if len(kernel.outputs) == 1 and kernel.branches == 1:
+        results = (results,)
+    *outputs, real = (*results, np.array([True])) if kernel.branches == 1 else results
+    outputs = [np.broadcast_to(output, (kernel.branches, 1))[:, 0] for output in outputs]
+    real = np.broadcast_to(real, (kernel.branches, 1))[:, 0]
+    return [tuple(float(output[root]) for output in outputs) for root in range(kernel.branches) if real[root]]
+
+
+@pytest.fixture(params=[pytest.param(in_c, id="c", marks=needs_compiler), pytest.param(in_numpy, id="numpy")])
+def kernel(request: pytest.FixtureRequest) -> Kernel:
+    """A kernel by its rule, in each language."""
+    return request.param
+
+
+FREE = (math.cos(REFERENCE), math.sin(REFERENCE))
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "e", "count"),
+    [
+        (1.0, 0.0, 0.5, 2),
+        (0.3, -0.4, -0.2, 2),
+        (0.3, -0.4, 0.0, 2),
+        (3.0, 4.0, 5.0, 1),  # border: r = 5
+        (3.0, 4.0, -5.0, 1),
+        (3.0, 4.0, 5.0 - 0.5 * T, 1),  # within the tolerance inwards
+        (3.0, 4.0, 5.0 + 0.5 * T, 1),  # and outwards
+        (3.0, 4.0, 5.0 - 3.0 * T, 2),
+        (3.0, 4.0, 5.0 + 3.0 * T, 0),
+        (1e-150, 0.0, 1.0, 0),  # no coefficient, a right side: no root
+        (0.0, 0.0, 1.0, 0),
+        (0.0, 0.0, 2.0 * T, 0),
+        (math.nan, 1.0, 0.0, 0),
+        (1.0, 1.0, math.nan, 0),
+    ],
+)
+def test_linear(kernel: Kernel, a: float, b: float, e: float, count: int) -> None:
+    roots = kernel("linear", a=a, b=b, e=e, t=T)
+    assert len(roots) == count
+    for c, s in roots:
+        assert abs(c * c + s * s - 1.0) < 1e-11
+        assert abs(a * c + b * s - e) <= 2.0 * T
+
+
+def test_linear_order_and_free(kernel: Kernel) -> None:
+    (first, second) = kernel("linear", a=1.0, b=0.0, e=0.5, t=T)
+    assert first == pytest.approx((0.5, math.sqrt(0.75)))
+    assert second == pytest.approx((0.5, -math.sqrt(0.75)))
+    assert kernel("linear", a=0.5 * T, b=0.0, e=-0.5 * T, t=T) == [pytest.approx(FREE)]
+
+
+@pytest.mark.parametrize("rule", ["homogeneous", "homogeneous2"])
+def test_homogeneous(kernel: Kernel, rule: str) -> None:
+    spare = {"a_alt": 1e-3, "b_alt": 0.0, "t_alt": T} if rule == "homogeneous2" else {}
+    first, second = kernel(rule, a=3.0, b=4.0, t=T, **spare)
+    assert first == pytest.approx((0.8, -0.6))
+    assert second == pytest.approx((-0.8, 0.6))
+    assert len(kernel(rule, a=0.0, b=2.0 * T, t=T, **{key: 0.0 for key in spare} | ({"t_alt": T} if spare else {}))) == 2
+
+
+def test_homogeneous_free(kernel: Kernel) -> None:
+    assert kernel("homogeneous", a=0.0, b=0.5 * T, t=T) == [pytest.approx(FREE)]
+    nothing = {"a": 0.0, "b": 0.5 * T, "t": T}
+    free = kernel("homogeneous2", **nothing, a_alt=0.5, b_alt=0.0, t_alt=1.0)
+    assert free == [pytest.approx(FREE)]
+
+
+def test_homogeneous2_takes_the_pair_that_is_larger_in_its_tolerance(kernel: Kernel) -> None:
+    roots = kernel("homogeneous2", a=1.0, b=0.0, t=1e-3, a_alt=0.0, b_alt=0.1, t_alt=1e-6)
+    assert roots == [pytest.approx((1.0, 0.0)), pytest.approx((-1.0, 0.0))]
+    roots = kernel("homogeneous2", a=1.0, b=0.0, t=1e-3, a_alt=0.0, b_alt=0.1, t_alt=1e-3)
+    assert roots == [pytest.approx((0.0, -1.0)), pytest.approx((0.0, 1.0))]
+
+
+@pytest.mark.parametrize(
+    ("l1", "l2", "rho", "count"),
+    [
+        (0.7, 0.5, 0.9, 2),
+        (-0.7, 0.5, 0.9, 2),
+        (0.7, -0.5, 0.9, 2),
+        (0.5, 0.7, 0.9, 2),
+        (0.7, 0.5, 1.2, 1),  # stretched
+        (0.7, 0.5, 1.2 + 0.4 * T, 1),
+        (0.7, 0.5, 1.2 + 3.0 * T, 0),
+        (0.7, 0.5, 1.2 - 3.0 * T, 2),
+        (-0.7, 0.5, 1.2, 1),
+        (0.7, 0.5, 0.2, 1),  # folded
+        (0.5, 0.7, 0.2, 1),
+        (-0.7, 0.5, 0.2, 1),
+        (0.7, 0.5, 0.2 - 0.4 * T, 1),
+        (0.7, 0.5, 0.2 - 3.0 * T, 0),
+        (0.7, 0.5, 0.2 + 3.0 * T, 2),
+        (0.6, 0.6, 0.0, 1),  # equal links folded on the base
+        (0.6, 0.6, 3.0 * T, 2),
+        (0.7, 0.0, 0.7, 1),  # no second link: a circle
+        (0.0, 0.5, 0.5, 0),  # no first link: no triangle
+        (0.7, 0.5, math.nan, 0),
+        (0.7, 0.5, 1e200, 0),
+    ],
+)
+def test_triangle(kernel: Kernel, l1: float, l2: float, rho: float, count: int) -> None:
+    x, y = 0.6 * rho, 0.8 * rho
+    roots = kernel("triangle", x=x, y=y, l1=l1, l2=l2, t=T)
+    assert len(roots) == count
+    for k, w, along in roots:
+        assert abs(math.hypot(k, w) - abs(l2)) < 1e-11
+        assert abs(math.hypot(along, w) - rho) < 3.0 * T
+        assert abs(along - l1 - k) < 3.0 * T * (1 if count == 1 else 10)
+    if count == 1:
+        assert roots[0][1] == 0.0
+    if count == 2:
+        assert roots[0][1] > 0.0 > roots[1][1]
+
+
+def test_direction(kernel: Kernel) -> None:
+    angle, along, across = 2.0, 0.3, -0.7
+    x = math.cos(angle) * along - math.sin(angle) * across
+    y = math.sin(angle) * along + math.cos(angle) * across
+    (root,) = kernel("direction", x=x, y=y, along=along, across=across, t=T)
+    assert root == pytest.approx((math.cos(angle), math.sin(angle)))
+    (tiny,) = kernel("direction", x=x * 3e-12, y=y * 3e-12, along=along, across=across, t=T)
+    assert tiny == pytest.approx((math.cos(angle), math.sin(angle)))
+    assert kernel("direction", x=0.5 * T, y=0.5 * T, along=along, across=across, t=T) == [pytest.approx(FREE)]
+    assert kernel("direction", x=1.0, y=2.0, along=0.0, across=0.0, t=T) == [pytest.approx(FREE)]
+
+
+def test_quotient(kernel: Kernel) -> None:
+    assert kernel("quotient", x=3.0, y=4.0, d=5.0, t=T) == [pytest.approx((0.6, 0.8))]
+    assert kernel("quotient", x=3.0, y=4.0, d=-5.0, t=T) == [pytest.approx((-0.6, -0.8))]
+    assert kernel("quotient", x=0.0, y=2.0 * T, d=1.0, t=T) == [pytest.approx((0.0, 1.0))]
+    assert kernel("quotient", x=0.0, y=0.5 * T, d=1.0, t=T) == [pytest.approx(FREE)]
+
+
+def test_quotient_length(kernel: Kernel) -> None:
+    assert kernel("quotient_length", n=3.0, d=-2.0, t=T) == [(-1.5,)]
+    assert kernel("quotient_length", n=3.0, d=T, t=T) == [(REFERENCE,)]
+    assert kernel("quotient_length", n=3.0, d=-T, t=T) == [(REFERENCE,)]
+
+
+@pytest.mark.parametrize(
+    ("b", "c", "roots"),
+    [
+        (1.0, -3.0, [1.0, -3.0]),
+        (-1.0, 0.0, [2.0, 0.0]),
+        (2.0, 4.0, [-2.0]),
+        (2.0, 4.0 + 0.5 * T, [-2.0]),
+        (2.0, 4.0 - 0.5 * T, [-2.0]),
+        (2.0, 4.0 + 1e-11, []),
+        (math.nan, 0.0, []),
+    ],
+)
+def test_quadratic(kernel: Kernel, b: float, c: float, roots: list[float]) -> None:
+    assert [root for (root,) in kernel("quadratic", b=b, c=c, t=T)] == pytest.approx(roots)
+
+
+@needs_compiler
+@pytest.mark.parametrize("rule", HELPED)
+def test_languages_agree(rule: str) -> None:
+    """The same roots to the last digits, on ordinary inputs and on inputs full of zeros and equal values."""
+    random = np.random.default_rng(20)
+    for trial in range(400):
+        values = random.normal(size=len(KERNELS[rule].inputs))
+        if trial % 2:
+            values = np.round(values)
+        inputs = dict(zip(KERNELS[rule].inputs, map(float, values), strict=True))
+        inputs |= {name: T for name in ("t", "t_alt") if name in inputs}
+        ours, theirs = in_numpy(rule, **inputs), in_c(rule, **inputs)
+        assert len(ours) == len(theirs), inputs
+        np.testing.assert_allclose(ours, theirs, rtol=1e-14, atol=1e-15, err_msg=str(inputs))

@@ -1,0 +1,221 @@
+"""The command line as a user meets it: exit status, messages, files; the derivations themselves are tested elsewhere."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from kinsym import __version__
+from kinsym.cli import CONVENTIONS, TARGETS, TASKS, main
+from kinsym.command.rendering import SUFFIXES
+from kinsym.robot import gallery
+from kinsym.robot.model import Convention, Task
+
+PLANAR = "planar_rr"
+
+
+class Run:
+    """One call of ``kinsym`` in this process, in a folder of its own."""
+
+    def __init__(self, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        self.folder, self._capsys = folder, capsys
+        self.out = self.err = ""
+
+    def __call__(self, *arguments: str) -> int:
+        status = main(arguments)
+        self.out, self.err = self._capsys.readouterr()
+        assert "Traceback" not in self.err
+        return status
+
+
+@pytest.fixture
+def kinsym(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> Run:
+    """The command line in an empty folder."""
+    monkeypatch.chdir(tmp_path)
+    return Run(tmp_path, capsys)
+
+
+def test_choices_are_those_of_the_model() -> None:
+    """The parser repeats the names of the model so as not to load it."""
+    assert set(TASKS) == {task.value for task in Task}
+    assert set(CONVENTIONS) == {convention.value for convention in Convention}
+    assert set(TARGETS) == set(SUFFIXES)
+
+
+def test_derive_writes_five_files_and_says_so(kinsym: Run) -> None:
+    """Progress on standard error; equations, checks and files on standard output; status 0."""
+    assert kinsym("derive", PLANAR) == 0
+    names = [PLANAR + suffix for suffix in (".py", ".c", ".h", ".tex", ".report.json")]
+    assert sorted(os.listdir(kinsym.folder / PLANAR)) == sorted(names)
+    assert "theta2" in kinsym.out
+    assert "Checks" in kinsym.out
+    assert all(f"{PLANAR}/{name}" in kinsym.out for name in names)
+    assert f"deriving {PLANAR}" in kinsym.err
+    report = json.loads((kinsym.folder / PLANAR / f"{PLANAR}.report.json").read_text())
+    assert report["checked"] == "passed"
+    assert report["figures"]["poses"] >= 1000
+
+
+def test_same_bytes_twice(kinsym: Run) -> None:
+    """Two runs write the same files, the report included."""
+    assert kinsym("derive", PLANAR, "-o", "one") == kinsym("derive", PLANAR, "-o", "two") == 0
+    for path in (kinsym.folder / "one").iterdir():
+        assert path.read_bytes() == (kinsym.folder / "two" / path.name).read_bytes()
+
+
+def test_targets_and_quiet(kinsym: Run) -> None:
+    """Only the languages asked for; nothing printed."""
+    assert kinsym("derive", PLANAR, "--target", "latex", "--target", "numpy", "--quiet", "--no-check", "-o", "x") == 0
+    assert sorted(os.listdir(kinsym.folder / "x")) == sorted(PLANAR + s for s in (".py", ".tex", ".report.json"))
+    assert kinsym.out == kinsym.err == ""
+    assert json.loads((kinsym.folder / "x" / f"{PLANAR}.report.json").read_text())["checked"] == "not run"
+
+
+def test_table_on_the_command_line(kinsym: Run) -> None:
+    """A name of one's own, a parameter folded in."""
+    rows = "0 l1 0 theta1; 0 l2 0 theta2"
+    options = ("--convention", "paul", "--name", "mine", "--task", "position", "--bind", "l1=0.5", "--no-check")
+    assert kinsym("derive", "--dh", rows, *options) == 0
+    source = (kinsym.folder / "mine" / "mine.py").read_text()
+    assert "l2" in source
+    assert "l1" not in source.split("def fk")[1].split("def ")[0].replace("theta", "")
+
+
+def test_show_prints_and_writes_nothing(kinsym: Run) -> None:
+    """The equations alone."""
+    assert kinsym("show", PLANAR) == 0
+    assert "theta2" in kinsym.out
+    assert os.listdir(kinsym.folder) == []
+
+
+def test_robots(kinsym: Run) -> None:
+    """The whole gallery, a line each."""
+    assert kinsym("robots") == 0
+    assert [line.split()[0] for line in kinsym.out.splitlines()] == list(gallery())
+
+
+def test_check_passes_tells_edits_and_finds_faults(kinsym: Run) -> None:
+    """Untouched files pass; a comment is told and passes; a sign flipped by hand fails in each language."""
+    assert kinsym("derive", PLANAR, "-o", "x", "--quiet") == 0
+    assert kinsym("check", "x") == 0
+    assert "not what kinsym would write" not in kinsym.err
+    folder = kinsym.folder / "x"
+    report = (folder / f"{PLANAR}.report.json").read_text()
+    for suffix in (".py", ".c"):
+        path = folder / (PLANAR + suffix)
+        text = path.read_text()
+        path.write_text(text + ("# by hand\n" if suffix == ".py" else "/* by hand */\n"))
+        assert kinsym("check", "x") == 0
+        assert f"{path.name} is not what kinsym would write today: it was changed" in kinsym.err
+        place = text.rindex("sin(")
+        sign = max(text.rfind("+", 0, place), text.rfind(" = ", 0, place) + 1)
+        flipped = text[:sign] + ("-" if text[sign] == "+" else "= -") + text[sign + 1 :].removeprefix(" ")
+        path.write_text(flipped)
+        assert kinsym("check", "x", "--quiet") == 1
+        assert "checks failed" in kinsym.err
+        path.write_text("not source\n")
+        assert kinsym("check", "x", "--quiet") == 1
+        path.unlink()
+        assert kinsym("check", "x", "--quiet") == 1
+        assert "is missing" in kinsym.err
+        path.write_text(text)
+        (folder / f"{PLANAR}.report.json").write_text(report)
+
+
+@pytest.mark.parametrize(
+    "content", ["", "{}", "[1]", '{"table": ["x"], "files": {}}', '{"table": 3}', "\udcff", "[" * 9999]
+)
+def test_check_of_what_is_no_report(kinsym: Run, content: str) -> None:
+    """A clear message, status 2."""
+    Path("x.report.json").write_bytes(content.encode("utf-8", "surrogateescape"))
+    assert kinsym("check", ".") == 2
+    assert "x.report.json" in kinsym.err
+
+
+def test_check_without_a_report(kinsym: Run) -> None:
+    """No folder, and a folder that kinsym has not written."""
+    assert kinsym("check", "nowhere") == 2
+    assert "nowhere is no folder" in kinsym.err
+    assert kinsym("check", ".") == 2
+    assert "holds no *.report.json" in kinsym.err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["dervie", PLANAR], "derive"),
+        ([PLANAR], f"Did you mean: kinsym derive {PLANAR}?"),
+        (["derive", "planar_rrr_pual"], "planar_rrr_paul"),
+        (["derive"], "no table given"),
+        (["derive", PLANAR, "--dh", "0 a 0 theta1"], "both a table and --dh"),
+        (["derive", "--dh", "0 a 0 theta1"], "convention"),
+        (["derive", PLANAR, "--bind", "l1"], "is not NAME=VALUE"),
+        (["derive", PLANAR, "--bind", "l1=1", "--bind", "l1=2"], "bound twice"),
+        (["derive", PLANAR, "--bind", "l3=1"], "l3"),
+        (["derive", PLANAR, "--bind", "l1=__import__('os')"], "--bind l1"),
+        (["derive", PLANAR, "--name", "../x"], "../x"),
+        (["derive", PLANAR, "--target", "fortran"], "fortran"),
+        (["derive", PLANAR, "--task", "dance"], "dance"),
+        (["derive", PLANAR, "-o", "file"], "is a file"),
+        (["derive", PLANAR, "-o", "file/x"], "is a file"),
+        (["derive", "nothing.toml"], "nothing.toml"),
+        (["derive", PLANAR, "--frob"], "--frob"),
+        ([], "COMMAND"),
+    ],
+)
+def test_wrong_input(kinsym: Run, arguments: list[str], message: str) -> None:
+    """One message that names the place, status 2, nothing written."""
+    Path("file").write_text("mine")
+    assert kinsym(*arguments) == 2
+    assert message in kinsym.err
+    assert os.listdir(kinsym.folder) == ["file"]
+    assert Path("file").read_text() == "mine"
+
+
+def test_version_and_help(kinsym: Run) -> None:
+    """Both are answers, not errors."""
+    assert kinsym("--version") == 0
+    assert kinsym.out == f"kinsym {__version__}\n"
+    assert kinsym("--help") == 0
+    assert "derive" in kinsym.out
+
+
+def test_help_loads_nothing_heavy() -> None:
+    """``kinsym --help`` under 0.3 s: neither SymPy nor NumPy nor Jinja is imported."""
+    code = "import sys; from kinsym.cli import main; main(['--help']); print([m for m in ('sympy', 'numpy', 'jinja2') if m in sys.modules])"
+    start = time.perf_counter()
+    out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+    assert out.splitlines()[-1] == "[]"
+    assert time.perf_counter() - start < 1.0
+
+
+def test_a_closed_pipe_does_not_stop_the_work(tmp_path: Path) -> None:
+    """``kinsym derive ... | head -1`` still writes its files, without a traceback."""
+    command = f"{sys.executable} -m kinsym derive {PLANAR} --no-check -o {tmp_path}/x 2>{tmp_path}/err | head -1"
+    subprocess.run(["bash", "-c", command], check=True, capture_output=True)
+    assert "Traceback" not in (tmp_path / "err").read_text()
+    assert len(os.listdir(tmp_path / "x")) == 5
+
+
+def test_interrupt_is_quiet(tmp_path: Path) -> None:
+    """Ctrl-C: status 130, no traceback, nothing left."""
+    process = subprocess.Popen(
+        [sys.executable, "-m", "kinsym", "derive", "puma560", "-o", str(tmp_path / "x")],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert process.stderr is not None
+    process.stderr.readline()
+    process.send_signal(signal.SIGINT)
+    _, err = process.communicate(timeout=30)
+    assert process.returncode == 130
+    assert "Traceback" not in err
+    assert os.listdir(tmp_path) == []

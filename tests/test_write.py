@@ -1,0 +1,106 @@
+"""A set of files arrives whole or not at all."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from kinsym.errors import OutputError
+from kinsym.write import check_place, write_set
+
+FILES = {"a.py": "one\n", "a.c": "two\n"}
+
+
+def contents(folder: Path) -> dict[str, str]:
+    """Every file below a folder."""
+    return {str(path.relative_to(folder)): path.read_text() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def test_writes_into_new_folders(tmp_path: Path) -> None:
+    """The folder and those above it are made; nothing but the files is left there."""
+    paths = write_set(tmp_path / "x" / "y", FILES)
+    assert [path.name for path in paths] == ["a.py", "a.c"]
+    assert contents(tmp_path) == {"x/y/a.py": "one\n", "x/y/a.c": "two\n"}
+
+
+def test_leaves_other_files_alone(tmp_path: Path) -> None:
+    """Same names are replaced, other names are not touched."""
+    (tmp_path / "mine.txt").write_text("mine")
+    (tmp_path / "a.py").write_text("old")
+    write_set(tmp_path, FILES)
+    assert contents(tmp_path) == {"a.py": "one\n", "a.c": "two\n", "mine.txt": "mine"}
+
+
+def test_a_failed_move_restores_everything(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The second move fails: the first file is what it was, and the new one is gone."""
+    (tmp_path / "a.py").write_text("old")
+    real, moved = os.replace, []
+
+    def failing(source: Path, target: Path) -> None:
+        if Path(target).name == "a.c" and not moved:
+            moved.append(target)
+            raise OSError(28, "No space left on device")
+        real(source, target)
+
+    monkeypatch.setattr(os, "replace", failing)
+    with pytest.raises(OutputError, match="no space left"):
+        write_set(tmp_path, FILES)
+    assert contents(tmp_path) == {"a.py": "old"}
+    assert os.listdir(tmp_path) == ["a.py"]
+
+
+def test_a_failed_write_leaves_no_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A folder that was made for the files goes with them."""
+
+    def failing(*_: object, **__: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(Path, "write_text", failing)
+    with pytest.raises(OutputError):
+        write_set(tmp_path / "x" / "y", FILES)
+    assert os.listdir(tmp_path) == []
+
+
+def test_a_file_in_the_way_of_the_folder(tmp_path: Path) -> None:
+    """Told before anything is written."""
+    (tmp_path / "x").write_text("file")
+    for folder in (tmp_path / "x", tmp_path / "x" / "y"):
+        with pytest.raises(OutputError, match="is a file"):
+            write_set(folder, FILES)
+    assert contents(tmp_path) == {"x": "file"}
+
+
+def test_a_folder_in_the_way_of_a_file(tmp_path: Path) -> None:
+    """Told before the other file is written."""
+    (tmp_path / "a.c").mkdir()
+    with pytest.raises(OutputError, match="is a folder"):
+        write_set(tmp_path, FILES)
+    assert os.listdir(tmp_path) == ["a.c"]
+
+
+@pytest.mark.parametrize("name", ["../a", "/etc/a", "x/y", "", "..", "."])
+def test_names_are_not_paths(tmp_path: Path, name: str) -> None:
+    """No name leads out of the folder."""
+    with pytest.raises(OutputError, match="no plain file name"):
+        check_place(tmp_path, [name])
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
+def test_unwritable(tmp_path: Path) -> None:
+    """A folder without permission, and one that cannot be made."""
+    tmp_path.chmod(0o500)
+    try:
+        for folder in (tmp_path, tmp_path / "x"):
+            with pytest.raises(OutputError, match="does not allow writing"):
+                write_set(folder, FILES)
+    finally:
+        tmp_path.chmod(0o700)
+
+
+def test_a_place_that_is_no_path(tmp_path: Path) -> None:
+    """A zero byte, a name too long: a message, no traceback."""
+    for name in ("x\0y", "x" * 5000):
+        with pytest.raises(OutputError):
+            write_set(tmp_path / name, FILES)
