@@ -7,7 +7,7 @@ r11 = c1*(c2*(c4*c5*c6 - s4*s6) - s2*s5*c6) - s1*(...). That is also the form wi
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from kinsym.algebra.ring import Kind, Poly, Ring, fraction
@@ -58,25 +58,40 @@ class _Writer:
                 return "c" + name[1:], name
         return None
 
-    def _monomial(self, names: tuple[str, ...], exponents: tuple[int, ...]) -> Tree:
+    def _monomial(self, names: Sequence[str], exponents: tuple[int, ...]) -> Tree:
         return mul(*(_power(self._name(n), e) for n, e in zip(names, exponents, strict=True) if e))
 
     def _name(self, name: str) -> Tree:
         return self.names.get(name, Sym(name))
 
     def _flat(self, poly: Poly) -> Tree:
-        """The terms without joint angles: parameters first in each product."""
-        terms: list[Tree] = []
-        generators = self.ring.generators
-        for monomial, coefficient in sorted(poly.terms(), key=lambda term: term[0], reverse=True):
-            factors: list[tuple[int, int, Tree]] = []
-            for i, exponent in enumerate(monomial):
-                if exponent:
-                    order = 0 if generators[i].kind in (Kind.PARAMETER, Kind.CONSTANT) else 1
-                    factors.append((order, i, _power(self._name(generators[i].name), exponent)))
-            trees = [tree for _, _, tree in sorted(factors, key=lambda f: f[:2])]
-            terms.append(mul(Num(fraction(coefficient)), *trees))
+        """The terms without joint angles, collected in the entries of the pose."""
+        entries = [name for name in self.ring.used(poly) if self._kind(name) is Kind.POSE]
+        groups = self.ring.collect(poly, entries)
+        terms = []
+        for key in sorted(groups, reverse=True):
+            inner = self._lengths(groups[key])
+            if not any(key):
+                terms.append(inner)
+            elif isinstance(inner, Sum):
+                sign = -1 if all(negative(term) for term in inner.terms) else 1
+                terms.append(mul(number(sign), inner if sign > 0 else negated(inner), self._monomial(entries, key)))
+            else:
+                terms.append(mul(inner, self._monomial(entries, key)))
         return _positive_first(add(*terms))
+
+    def _lengths(self, poly: Poly) -> Tree:
+        """The terms in lengths alone, constants and parameters first in each product."""
+        terms: list[Tree] = []
+        for monomial, coefficient in sorted(poly.terms(), key=lambda term: term[0], reverse=True):
+            used = [(g, exponent) for g, exponent in zip(self.ring.generators, monomial, strict=True) if exponent]
+            used.sort(key=lambda pair: pair[0].kind is Kind.LENGTH)
+            factors = (_power(self._name(generator.name), exponent) for generator, exponent in used)
+            terms.append(mul(Num(fraction(coefficient)), *factors))
+        return _positive_first(add(*terms))
+
+    def _kind(self, name: str) -> Kind:
+        return self.ring.generators[self.ring.index[name]].kind
 
 
 def _power(base: Tree, exponent: int) -> Tree:

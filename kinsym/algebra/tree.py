@@ -150,22 +150,29 @@ def opposite(tree: Tree) -> Tree:
 
 
 def sum_of_squares(*trees: Tree) -> Tree:
-    """``a^2 + b^2 + ...``; zeros vanish and signs drop out."""
-    squares = [mul(t, t) if isinstance(t, Num) else Pow(negated(t) if negative(t) else t, 2) for t in trees]
-    return add(*squares)
+    """``a^2 + b^2 + ...``, ordered by name; zeros vanish and signs drop out."""
+    bases = sorted((negated(t) if negative(t) else t for t in trees), key=lambda t: tuple(symbols(t)))
+    return add(*(mul(t, t) if isinstance(t, Num) else Pow(t, 2) for t in bases))
 
 
 def add(*terms: Tree) -> Tree:
-    """The sum of trees; zeros vanish, nested sums are flattened."""
+    """The sum of trees; nested sums are flattened, numbers are added up and come last."""
+    total = Fraction(0)
     flat: list[Tree] = []
     for term in terms:
-        flat.extend(term.terms if isinstance(term, Sum) else () if term == ZERO else (term,))
-    return ZERO if not flat else flat[0] if len(flat) == 1 else Sum(tuple(flat))
+        for part in term.terms if isinstance(term, Sum) else (term,):
+            if isinstance(part, Num):
+                total += part.value
+            else:
+                flat.append(part)
+    if total or not flat:
+        flat.append(Num(total))
+    return flat[0] if len(flat) == 1 else Sum(tuple(flat))
 
 
 def sub(left: Tree, right: Tree) -> Tree:
-    """``left - right``."""
-    return add(left, negated(right) if right != ZERO else ZERO)
+    """``left - right``; equal trees cancel."""
+    return ZERO if left == right else add(left, opposite(right))
 
 
 def mul(*factors: Tree) -> Tree:

@@ -13,9 +13,9 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from kinsym.check.laws import CLOSURE, COPY, FORWARD, SAME, Judge, malformed, outward
+from kinsym.check.laws import CLOSURE, CLUSTER, COPY, FORWARD, SAME, Judge, malformed, outward
 from kinsym.check.ledger import Ledger
-from kinsym.check.poses import KINDS, PAIR, UNIFORM, Counts, generator, samples
+from kinsym.check.poses import KINDS, PAIR, SINGULAR, UNIFORM, Counts, generator, samples
 from kinsym.check.singular import volume_of
 from kinsym.check.solvers import ExactSolver, Floats, NumpySolver, Solutions, Solver, TreeKinematics
 from kinsym.check.table import TableKinematics
@@ -32,8 +32,10 @@ SINGLE_POSES = 24
 FAR_POSES = 12
 NOISE_POSES = 60
 
-#: Where two singularities meet, a free angle may be chosen so that a later step has no root.
-PAIRS_TO_A_LOSS = 8
+#: One in so many poses at two singularities at once may be lost: a free angle can leave a later step without a root.
+LOSSES = 8
+#: One in so many singular poses may hide several double roots that lie closer than the tolerance of the pose.
+CLUSTERS = 12
 
 TABLE_LIMIT = 1e-30
 SLOPE_LIMIT = 1e-8
@@ -159,21 +161,32 @@ class Examination:
 
     def _inverse(self, solver: Solver, answer: Solutions, which: Rows) -> None:
         (q, count), name = answer, solver.name
-        known, poses = self.q[which], self.poses[which]
-        self.ledger.judge(INVERSE_LAW, name, self._closures(answer, poses), CLOSURE)
-        found, pair = self.judge.found(q, known, poses), self.samples.of(PAIR)[which]
-        self.ledger.count(FOUND_LAW, name, int((~pair).sum()), int((~found & ~pair).sum()))
-        lost = int((pair & (count == 0)).sum())
-        few = -(-int(pair.sum()) // PAIRS_TO_A_LOSS)
-        self.ledger.count(PAIR_LAW, name, int(pair.sum()), max(0, lost - few), limit=f"1 in {PAIRS_TO_A_LOSS} may not")
-        self.ledger.tally(f"{name}: two singularities at once, no solution", lost)
-        self.ledger.tally(f"{name}: two singularities at once, known vector not found", int((pair & ~found).sum()))
-        self.ledger.count(COPY_LAW, name, len(known), self.judge.copies(q), limit=f"> {COPY:g} apart")
+        self.ledger.judge(INVERSE_LAW, name, self._closures(answer, self.poses[which]), CLOSURE)
+        self._known(name, answer, which)
+        self.ledger.count(COPY_LAW, name, len(which), self.judge.copies(q), limit=f"> {COPY:g} apart")
         angles = q[..., self.judge.revolute]
         with np.errstate(invalid="ignore"):
             inside = np.all((angles > -np.pi) & (angles <= np.pi), axis=-1)
         outside = (np.arange(q.shape[1]) < count[:, None]) & ~inside
-        self.ledger.count(RANGE_LAW, name, len(known), int(outside.any(axis=1).sum()))
+        self.ledger.count(RANGE_LAW, name, len(which), int(outside.any(axis=1).sum()))
+
+    def _known(self, name: str, answer: Solutions, which: Rows) -> None:
+        """The known vectors are found; where roots merge, a few may be found as members of a cluster only."""
+        (q, count), known, poses = answer, self.q[which], self.poses[which]
+        pair, singular = self.samples.of(PAIR)[which], self.samples.of(SINGULAR, PAIR)[which]
+        found = self.judge.found(q, known, poses)
+        near = np.flatnonzero(~found & singular)
+        cluster = np.zeros_like(found)
+        cluster[near] = self.judge.found(q[near], known[near], poses[near], limit=CLUSTER)
+        several, lost = int((cluster & ~pair).sum()), int((pair & (count == 0)).sum())
+        missed = int((~found & ~cluster & ~pair).sum()) + max(0, several - _share(singular & ~pair, CLUSTERS))
+        self.ledger.count(FOUND_LAW, name, int((~pair).sum()), missed)
+        self.ledger.count(
+            PAIR_LAW, name, int(pair.sum()), max(0, lost - _share(pair, LOSSES)), limit=f"1 in {LOSSES} may not"
+        )
+        self.ledger.tally(f"{name}: one singularity, known vector found in a cluster of merged roots", several)
+        self.ledger.tally(f"{name}: two singularities, no solution", lost)
+        self.ledger.tally(f"{name}: two singularities, known vector not found", int((pair & ~found & ~cluster).sum()))
 
     def _agree(self, subject: str, left: Solutions, right: Solutions, which: Rows) -> None:
         same, sets = self.judge.agreement(left, right, self.poses[which])
@@ -222,6 +235,11 @@ class Examination:
     def _count_solutions(self, numbers: Rows | None, oracle: Rows, some: Rows) -> None:
         uniform = self.samples.of(UNIFORM)
         self.solution_counts.update((oracle[uniform[some]] if numbers is None else numbers[uniform]).tolist())
+
+
+def _share(mask: NDArray[np.bool_], of: int) -> int:
+    """How many of a class may be exceptions; in a small class one more."""
+    return int(mask.sum()) // of + 1
 
 
 def _differences(table: TableKinematics, q: list[float]) -> Floats:

@@ -78,6 +78,8 @@ def linear(ctx: Any, given: Inputs, free: Value) -> list[Root]:
 def triangle(ctx: Any, given: Inputs, free: Value) -> list[Root]:
     """Two links l1 and l2 reach (x, y): the second seen from the first (k, w), and (x, y) along the first."""
     x, y, l1, l2, t = (given[name] for name in ("x", "y", "l1", "l2", "t"))
+    if abs(l1) <= t:
+        return []
     square = x * x + y * y
     long, short = abs(l1) + abs(l2), abs(abs(l1) - abs(l2))
     outer, inner = long * long - square, square - short * short
@@ -91,7 +93,7 @@ def triangle(ctx: Any, given: Inputs, free: Value) -> list[Root]:
     if inner <= t_inner:
         return [(-sign * abs(l2), ctx.mpf(0), along)]
     k = (square - l1 * l1 - l2 * l2) / (2 * l1)
-    w = ctx.sqrt(outer * inner) / (2 * l1)
+    w = ctx.sqrt(outer * inner) / (2 * abs(l1))
     return [(k, w, along), (k, -w, along)]
 
 

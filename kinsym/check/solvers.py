@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinsym.check.evaluate import Program, floating
-from kinsym.check.walk import ExactWalk
+from kinsym.check.walk import AT_THE_ORIGIN, ExactWalk
 from kinsym.emit.schedule import Schedule
 
 Floats = NDArray[np.float64]
@@ -196,7 +196,7 @@ class TreeKinematics:
         self._given = constants.names(given)
         self._forward = Program(schedule.forward.definitions, schedule.forward.outputs, numbers)
         self._jacobian = Program(schedule.jacobian.definitions, schedule.jacobian.outputs, numbers)
-        self.size = float(Program((), (schedule.size,), numbers)(self._given)[0])
+        self.size = float(Program((), (schedule.size,), numbers)({**AT_THE_ORIGIN, **self._given})[0])
 
     def forward(self, q: Floats) -> Floats:
         """(..., n) to (..., 4, 4)."""

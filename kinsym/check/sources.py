@@ -13,9 +13,11 @@ from typing import Any
 
 import numpy as np
 
+from kinsym.check.compiler import FLAGS, compile_shared, compiler_version, find_compiler
 from kinsym.check.ledger import Ledger
 from kinsym.check.solvers import CSolver, NumpySolver, Solver
 from kinsym.emit.schedule import Schedule
+from kinsym.errors import CheckFailed
 
 IMPORT = "the module can be imported"
 COMPILE = "compiles without a warning"
@@ -84,3 +86,21 @@ def _imported(schedule: Schedule, path: Path, ledger: Ledger) -> ModuleType | No
             return None
     ledger.count(IMPORT, NUMPY, 1, 0)
     return module
+
+
+def _compiled(schedule: Schedule, path: Path, ledger: Ledger, versions: dict[str, Any]) -> ctypes.CDLL | None:
+    compiler = find_compiler()
+    if compiler is None:
+        ledger.skip(COMPILE, C, "no C compiler was found, so the C is written but not compiled")
+        return None
+    try:
+        versions["compiler"] = compiler_version(compiler)
+        versions["flags"] = " ".join(FLAGS)
+        library = ctypes.CDLL(str(compile_shared(path.parent, schedule.name, path.parent, compiler=compiler)))
+        for function in ("fk", "ik_near", "jacobian"):
+            getattr(library, f"{schedule.name}_{function}")
+    except (CheckFailed, OSError, AttributeError) as error:
+        ledger.fail(COMPILE, C, str(error))
+        return None
+    ledger.count(COMPILE, C, 1, 0)
+    return library

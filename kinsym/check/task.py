@@ -43,9 +43,7 @@ def closure(reached: Floats, wanted: Floats, task: Task, size: float) -> Floats:
 def residual(reached: Floats, wanted: Floats, task: Task, size: float) -> Floats:
     """The entries the task asks for, reached minus wanted, lengths divided by ``size``: (..., entries)."""
     length = size if size > 0 else 1.0
-    parts = [
-        (reached[..., i, j] - wanted[..., i, j]) / (length if j == POSITION else 1.0) for i, j in ENTRIES[task]
-    ]
+    parts = [(reached[..., i, j] - wanted[..., i, j]) / (length if j == POSITION else 1.0) for i, j in ENTRIES[task]]
     return np.stack(parts, axis=-1)
 
 

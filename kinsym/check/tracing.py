@@ -1,8 +1,8 @@
 """Curved ways between joint vectors along which the pose does not change.
 
 Next to a singular pose a solution is known only up to a motion that the pose hardly feels, and that motion is a
-curve. Its points are found from those of the straight line by Gauss-Newton steps of least length that leave the
-directions alone in which the pose hardly moves. A way that jumps is none.
+curve. It is followed in small steps towards the other end: each step goes along the directions in which the pose
+hardly moves, and Gauss-Newton corrections of least length bring it back. What lies on another branch is not reached.
 """
 
 from __future__ import annotations
@@ -18,10 +18,14 @@ from kinsym.robot.model import Task
 
 Floats = NDArray[np.float64]
 
-POINTS = 10
-CORRECTIONS = 5
+STEPS = 60
+STEP = 0.12
+CORRECTIONS = 3
+#: Below this share of the largest singular value the pose hardly feels a motion.
 SOFT = 1e-6
-LONGEST_STEP = 0.35
+#: Nearer than this a straight line ends the way.
+ARRIVED = 1e-3
+POINTS = (0.25, 0.5, 0.75, 1.0)
 
 
 @dataclass(frozen=True)
@@ -34,24 +38,40 @@ class Tracer:
 
     def joined(self, start: Floats, way: Floats, poses: Floats) -> NDArray[np.bool_]:
         """Whether (k, n) joint vectors are joined to ``start + way`` on the poses (k, 4, 4)."""
-        length = np.linalg.norm(way, axis=-1)
-        fine = self._on(start, poses) & self._on(start + way, poses)
-        before = start
-        for t in np.linspace(0, 1, POINTS + 1)[1:-1]:
-            here = self._corrected(start + t * way, poses)
-            fine &= self._on(here, poses) & (np.linalg.norm(here - before, axis=-1) <= LONGEST_STEP * length)
-            before = here
-        return np.asarray(fine & (np.linalg.norm(start + way - before, axis=-1) <= LONGEST_STEP * length))
+        end, here = start + way, start
+        fine = self._on(start, poses) & self._on(end, poses)
+        for _ in range(STEPS):
+            left = np.linalg.norm(end - here, axis=-1)
+            active = fine & (left > ARRIVED)
+            if not active.any():
+                break
+            moved = self._stepped(here[active], end[active], poses[active])
+            nearer = np.linalg.norm(end[active] - moved, axis=-1) < left[active] - ARRIVED * STEP
+            here = here.copy()
+            here[active] = moved
+            fine = fine.copy()
+            fine[active] = nearer & self._on(moved, poses[active])
+        for t in POINTS:
+            fine = fine & self._on(here + t * (end - here), poses)
+        return np.asarray(fine & (np.linalg.norm(end - here, axis=-1) <= ARRIVED))
 
     def _on(self, q: Floats, poses: Floats) -> NDArray[np.bool_]:
         reached = self.kinematics.forward(q)
         return np.asarray(closure(reached, poses, self.task, self.kinematics.size) <= self.limit)
 
-    def _corrected(self, q: Floats, poses: Floats) -> Floats:
-        size = self.kinematics.size
+    def _slope(self, q: Floats) -> tuple[Floats, Floats]:
+        reached = self.kinematics.forward(q)
+        return reached, task_jacobian(self.kinematics.jacobian(q), reached, self.task, self.kinematics.size)
+
+    def _stepped(self, q: Floats, end: Floats, poses: Floats) -> Floats:
+        """One step towards ``end`` along what the pose hardly feels, and back onto the pose."""
+        _, slope = self._slope(q)
+        towards = (end - q)[..., None]
+        along = (towards - np.linalg.pinv(slope, rcond=SOFT) @ (slope @ towards))[..., 0]
+        length = np.linalg.norm(along, axis=-1, keepdims=True)
+        q = q + along * np.minimum(1.0, STEP / np.maximum(length, STEP))
         for _ in range(CORRECTIONS):
-            reached = self.kinematics.forward(q)
-            slope = task_jacobian(self.kinematics.jacobian(q), reached, self.task, size)
-            step = np.linalg.pinv(slope, rcond=SOFT) @ residual(reached, poses, self.task, size)[..., None]
-            q = q - step[..., 0]
+            reached, slope = self._slope(q)
+            error = residual(reached, poses, self.task, self.kinematics.size)[..., None]
+            q = q - (np.linalg.pinv(slope, rcond=SOFT) @ error)[..., 0]
         return q

@@ -27,6 +27,9 @@ ROUNDING = Fraction(1, 10**14)
 BOTTOM = Fraction(1, 10**9)
 FAR = 10**150
 
+#: An arm with prismatic joints is as large as the pose needs it; this is its size without them.
+AT_THE_ORIGIN = {"p_x": 0, "p_y": 0, "p_z": 0}
+
 
 @dataclass(frozen=True)
 class _Call:
@@ -43,7 +46,8 @@ class ExactWalk:
         self.joints = [joint.name for joint in schedule.joints]
         given: Environment = {name: numbers.number(value) for name, value in parameters.items()}
         self.given = given = Program(schedule.constants, (), numbers).names(given)
-        self.size: Value = compiled(schedule.size, numbers)(given)
+        self._size = compiled(schedule.size, numbers)
+        self.size: Value = self._size({**AT_THE_ORIGIN, **given})
         self._tau = numbers.number(schedule.tau)
         self._forward = Program(schedule.forward.definitions, schedule.forward.outputs, numbers)
         self._jacobian = Program(schedule.jacobian.definitions, schedule.jacobian.outputs, numbers)
@@ -77,14 +81,15 @@ class ExactWalk:
         if checked is None:
             return None
         rows, tau = checked
-        env: Environment = {**self.given, "tau": tau, "size": self.size}
+        env: Environment = {**self.given, "tau": tau}
         for row, axis in zip(rows, "xyz", strict=True):
             env.update({f"{column}_{axis}": value for column, value in zip("uvwp", row, strict=True)})
+        size = env["size"] = self._size(env)
         values = reference if reference is not None else [0] * len(self.joints)
         wanted = {name: self.ctx.mpf(value) for name, value in zip(self.joints, values, strict=True)}
         found: list[list[Value]] = []
         self._run(0, env, wanted, found)
-        return [q for q in found if not self.schedule.gate or self._reaches(q, rows, tau)]
+        return [q for q in found if not self.schedule.gate or self._reaches(q, rows, tau, size)]
 
     def _run(self, start: int, env: Environment, wanted: Mapping[str, Value], found: list[list[Value]]) -> None:
         for position in range(start, len(self._statements)):
@@ -126,10 +131,10 @@ class ExactWalk:
         better = [[sum(row[k] * half[k][j] for k in range(3)) for j in range(3)] for row in rotation]
         return [[*turned, row[3]] for turned, row in zip(better, rows, strict=True)], self._tau + defect
 
-    def _reaches(self, q: Sequence[Value], rows: list[list[Value]], tau: Value) -> bool:
+    def _reaches(self, q: Sequence[Value], rows: list[list[Value]], tau: Value, size: Value) -> bool:
         reached = self.forward(q)
         allowed = max(self._limits["closure"], 4 * tau)
-        far = max(self.size, *(abs(row[3]) for row in rows))
+        far = max(size, *(abs(row[3]) for row in rows))
         return all(
             abs(reached[i][j] - rows[i][j]) <= allowed * (far if j == POSITION else 1)
             for i, j in ENTRIES[self.schedule.task]

@@ -30,8 +30,8 @@ def check(options: argparse.Namespace, screen: Screen) -> int:
 def _check_one(path: Path, screen: Screen) -> int:
     from kinsym.check.compare import compare
     from kinsym.check.reporting import report_of
-    from kinsym.derivation import derive
     from kinsym.command.rendering import rendered
+    from kinsym.derivation import derive
 
     screen.stage(f"reading {path.name}")
     robot, recorded = _read(path)

@@ -14,9 +14,9 @@ from kinsym.write import check_place, write_set
 def derive(options: argparse.Namespace, screen: Screen) -> int:
     """Derive, print, emit, check, write; 1 if a check failed, in which case the report says which."""
     from kinsym.check.reporting import report_of
+    from kinsym.command.rendering import file_names, rendered
     from kinsym.derivation import derive as derivation_of
     from kinsym.emit.text import equations
-    from kinsym.command.rendering import file_names, rendered
 
     screen.stage("reading the table")
     robot = robot_of(options)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from kinsym.algebra.tree import ONE, ZERO, Tree
 from kinsym.emit.banner import banner, c_comment
@@ -26,7 +26,7 @@ from kinsym.emit.wrapping import WIDTH, cut, fill
 class CPrinter(Printer):
     """Expressions of C99; ``angle_of``, ``wrap`` and ``sign_of`` are helpers of the generated source."""
 
-    functions = {
+    functions: ClassVar = {
         "sqrt": "sqrt",
         "sin": "sin",
         "cos": "cos",
@@ -48,6 +48,7 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "macro": schedule.name.upper(),
         "schedule": schedule,
         "complete": all(parameter.value is not None for parameter in schedule.parameters),
+        "heads": _heads(schedule),
         "usable": _usable(schedule),
         "banner": [c_comment(line) for line in banner(schedule)],
         "inverse": inverse,
@@ -89,7 +90,9 @@ def roots_call(call: KernelCall) -> RootsCall:
     return RootsCall(
         results=", ".join(f"{item.name}_roots[2]" if many else item.name for item, many in pairs),
         text=f"solve_{call.rule}({', '.join(arguments)})",
-        roots=", ".join(f"{item.name} = {item.name}_roots[i{call.branch}]" for item, many in pairs if many and item.used),
+        roots=", ".join(
+            f"{item.name} = {item.name}_roots[i{call.branch}]" for item, many in pairs if many and item.used
+        ),
     )
 
 
@@ -105,6 +108,21 @@ def comment(text: str, depth: int) -> str:
     indent = " " * 4 * depth
     first, *others = fill(c_comment(text), WIDTH - len(indent) - 6)
     return "\n".join([f"{indent}/* {first}", *(f"{indent} * {line}" for line in others)]) + " */"
+
+
+def _heads(schedule: Schedule) -> dict[str, str]:
+    """The functions as they are declared."""
+    name, joints = schedule.name, f"{schedule.name.upper()}_JOINTS"
+    vector, parameters, solutions = f"const double q[{joints}]", f"const {name}_params *p", f"double q[][{joints}]"
+    size = ", double size" if gate_entries(schedule.task).position else ""
+    return {
+        "fk": f"void {name}_fk({vector}, {parameters}, double T[16])",
+        "jacobian": f"void {name}_jacobian({vector}, {parameters}, double J[6 * {joints}])",
+        "ik": f"int {name}_ik(const double T[16], {parameters}, {solutions})",
+        "ik_near": f"int {name}_ik_near(const double T[16], {parameters}, "
+        f"const double reference[{joints}], {solutions})",
+        "reaches": f"static int reaches({vector}, {parameters}, const double M[12], double tau{size})",
+    }
 
 
 def _usable(schedule: Schedule) -> str:
@@ -124,4 +142,3 @@ def _entries(needs: InverseNeeds) -> list[str]:
     for name, row, column in needs.entries:
         rows.setdefault(row, []).append(f"{name} = M[{4 * row + column}]")
     return [f"const double {', '.join(entries)};" for entries in rows.values()]
-

@@ -36,9 +36,7 @@ KERNELS = {
     "quotient": Kernel(inputs=("x", "y", "d", "t"), outputs=ANGLE, free=True, branches=1),
     "quotient_length": Kernel(inputs=("n", "d", "t"), outputs=(("d", True),), free=True, branches=1),
     "homogeneous": Kernel(inputs=("a", "b", "t"), outputs=ANGLE, free=True, branches=2),
-    "homogeneous2": Kernel(
-        inputs=("a", "b", "t", "a_alt", "b_alt", "t_alt"), outputs=ANGLE, free=True, branches=2
-    ),
+    "homogeneous2": Kernel(inputs=("a", "b", "t", "a_alt", "b_alt", "t_alt"), outputs=ANGLE, free=True, branches=2),
     "linear": Kernel(inputs=("a", "b", "e", "t"), outputs=ANGLE, free=True, branches=2),
     "triangle": Kernel(
         inputs=("x", "y", "l1", "l2", "t"),

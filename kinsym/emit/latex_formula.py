@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import ClassVar
 
-from kinsym.algebra.tree import Call, Num, Pi, PlusMinus, Pow, Prod, Quot, Sum, Sym, Tree
+from kinsym.algebra.tree import Call, Num, Pi, PlusMinus, Pow, Prod, Quot, Sum, Sym, Tree, children
 from kinsym.emit.latex_measure import width
 from kinsym.emit.latex_names import Names
 from kinsym.emit.printer import _ATOM, _PRODUCT, _SUM
@@ -110,6 +110,8 @@ class LatexPrinter(ReaderPrinter):
 
     def _quotient(self, numerator: Tree, denominator: Tree) -> tuple[str, int]:
         upper, lower = self._signed(numerator), self._signed(denominator)
+        if Pi() in (numerator, *children(numerator)) and isinstance(denominator, Num):
+            return f"{upper}/{lower}", _PRODUCT
         if max(width(upper), width(lower)) <= _WIDEST_SOLID:
             return f"\\frac{{{upper}}}{{{lower}}}", _ATOM
         return f"{self._within(numerator, _PRODUCT)} / {self._within(denominator, _ATOM)}", _PRODUCT

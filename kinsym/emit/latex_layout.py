@@ -15,6 +15,10 @@ from kinsym.emit.latex_measure import width
 PAGE = 455.0
 _TAG = 30.0
 _QUAD = 10.0
+_TABLE_SPACE = 6.0
+_WORD = 36.0
+#: The size of TeX's footnotesize beside the type of the document.
+SMALL = 0.8
 _RELATION = 14.0
 _WIDEST_LEFT = 0.35 * PAGE
 _LONGEST_TABLE = 32
@@ -141,9 +145,10 @@ def matrices(all_matrices: Sequence[Matrix]) -> tuple[Display, ...]:
     return tuple(displays)
 
 
-def table_fits(rows: Sequence[Sequence[str]]) -> bool:
-    """Whether a table of formulas stands on the page."""
-    return sum(max(map(width, column)) + 12.0 for column in zip(*rows, strict=True)) <= PAGE
+def table_fits(rows: Sequence[Sequence[str]], scale: float = 1.0) -> bool:
+    """Whether a table of formulas, and a last column of one short word, stands on the page at a scale of the type."""
+    columns = zip(*rows, strict=True)
+    return sum(scale * max(map(width, column)) + 2 * _TABLE_SPACE for column in columns) + _WORD <= PAGE
 
 
 def chunks(rows: Sequence[tuple[str, ...]]) -> Iterator[Sequence[tuple[str, ...]]]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from typing import TypedDict
 
 from kinsym.algebra.tree import Call, Tree, children, symbols
 from kinsym.emit.gate import gate_entries
@@ -134,7 +135,15 @@ def _live(definitions: tuple[Definition, ...], names: set[str]) -> tuple[Definit
     return tuple(reversed(kept))
 
 
-def _common(schedule: Schedule, names: set[str]) -> dict[str, object]:
+class _Common(TypedDict):
+    joints: tuple[tuple[int, str], ...]
+    parameters: tuple[Parameter, ...]
+    constants: tuple[Definition, ...]
+    names: frozenset[str]
+
+
+def _common(schedule: Schedule, names: set[str]) -> _Common:
+    """The fields of Needs; ``names`` grows by what the constants read."""
     constants = _live(schedule.constants, names)
     return {
         "joints": tuple((number, joint.name) for number, joint in enumerate(schedule.joints) if joint.name in names),

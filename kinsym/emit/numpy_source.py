@@ -7,7 +7,7 @@ step is written as for one pose and NumPy broadcasts it over poses and branches.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import Any, ClassVar
 
 from kinsym.algebra.tree import ZERO, Tree
 from kinsym.emit.banner import banner, python_comment, python_docstring, python_string
@@ -24,7 +24,7 @@ from kinsym.emit.wrapping import WIDTH, cut, fill
 class NumpyPrinter(Printer):
     """Expressions over arrays; names with an underscore are helpers of the generated module."""
 
-    functions = {
+    functions: ClassVar = {
         "sqrt": "np.sqrt",
         "sin": "np.sin",
         "cos": "np.cos",

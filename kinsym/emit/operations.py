@@ -9,9 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import astuple, dataclass
-from fractions import Fraction
 
-from kinsym.algebra.tree import Call, Num, Pow, Prod, Quot, Sum, Tree, children
+from kinsym.algebra.tree import Call, Pow, Prod, Quot, Sum, Tree, children
 from kinsym.emit.needs import inverse_needs, line_needs
 from kinsym.emit.printer import split_sign
 from kinsym.emit.schedule import Assign, Note, Schedule, StraightLine

@@ -43,18 +43,25 @@ def split_sign(tree: Tree) -> tuple[bool, Tree]:
         case Num(value):
             return value < 0, Num(abs(value))
         case Prod(factors):
-            parts = [split_sign(factor) for factor in factors]
+            parts = [_split_factor(factor) for factor in factors]
             bodies = [body for _, body in parts if body != Num(Fraction(1))] or [Num(Fraction(1))]
             minus = sum(sign for sign, _ in parts) % 2 == 1
             return minus, bodies[0] if len(bodies) == 1 else Prod(tuple(bodies))
         case Quot(numerator, denominator):
-            (above, top), (below, bottom) = split_sign(numerator), split_sign(denominator)
+            (above, top), (below, bottom) = _split_factor(numerator), _split_factor(denominator)
             return above != below, Quot(top, bottom)
         case Pow(base, exponent):
             minus, body = split_sign(base)
             return minus and exponent % 2 == 1, Pow(body, exponent)
         case _:
             return False, tree
+
+
+def _split_factor(tree: Tree) -> tuple[bool, Tree]:
+    """The same for a factor: a sum of negative terms only becomes minus the sum of their opposites."""
+    if isinstance(tree, Sum) and all(split_sign(term)[0] for term in tree.terms):
+        return True, Sum(tuple(split_sign(term)[1] for term in tree.terms))
+    return split_sign(tree)
 
 
 class Printer:

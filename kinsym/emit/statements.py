@@ -15,7 +15,7 @@ from kinsym.emit.schedule import Assign, Note, Schedule, Statement
 
 @dataclass(frozen=True, kw_only=True)
 class Comment:
-    """A note; ``follows`` is "branch" or "comment" if one stands right before it, where a blank line may be unwanted."""
+    """A note; ``follows`` is "branch" or "comment" if one stands right before it, where a blank line is too much."""
 
     kind: str = "comment"
     level: int

@@ -6,14 +6,12 @@ source.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from kinsym.algebra.tree import Definition, Tree
-from kinsym.emit.breaking import TEXT, broken
 from kinsym.emit.cells import cell_tree
-from kinsym.emit.text_formula import TextPrinter
+from kinsym.emit.text_page import Page
+from kinsym.emit.vocabulary import angle_sums, joint_angles
 from kinsym.emit.wording import (
     CONVENTIONS,
     GATE,
@@ -33,7 +31,6 @@ from kinsym.emit.wording import (
     rule_title,
     shown_items,
 )
-from kinsym.emit.wrapping import fill
 from kinsym.inverse.cut import link_letter
 from kinsym.inverse.plan import Plan, Step, Window
 from kinsym.robot.model import Convention, Robot, Vector
@@ -42,45 +39,6 @@ if TYPE_CHECKING:
     from kinsym.derivation import Derivation
     from kinsym.kinematics.forward import Forward
     from kinsym.kinematics.jacobian import Jacobian
-
-
-@dataclass(frozen=True, kw_only=True)
-class Page:
-    """How wide and in which letters to write."""
-
-    width: int = 96
-    ascii: bool = False
-
-    @property
-    def formula(self) -> TextPrinter:
-        """The printer of formulas."""
-        return TextPrinter(ascii=self.ascii)
-
-    def equation(self, left: str, right: Tree | str, *, indent: int = 2, relation: str = "=") -> str:
-        """``left = right``, broken under the relation where it is too long."""
-        text = right if isinstance(right, str) else self.formula(right)
-        head = f"{' ' * indent}{left} {relation} "
-        room = self.width - len(head)
-        if room < self.width // 3:
-            lines = [f"{' ' * indent}{left}"]
-            head = f"{' ' * (indent + 4)}{relation} "
-            room = self.width - len(head)
-        else:
-            lines = []
-        for k, line in enumerate(broken(text, room, syntax=TEXT)):
-            lines.append(f"{' ' * (len(head) + 2 * line.depth) if k else head}{line.text}")
-        return "\n".join(lines)
-
-    def prose(self, text: str, *, indent: int = 2) -> str:
-        """A sentence, filled."""
-        return "\n".join(" " * indent + line for line in fill(text, self.width - indent))
-
-    def columns(self, rows: Iterable[Sequence[str]], *, indent: int = 2) -> str:
-        """Rows of cells in aligned columns."""
-        table = [list(row) for row in rows]
-        widths = [max(map(len, column)) for column in zip(*table, strict=True)]
-        lines = ("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)) for row in table)
-        return "\n".join(" " * indent + line.rstrip() for line in lines)
 
 
 def _heading(text: str) -> str:
@@ -128,6 +86,20 @@ def parameters(robot: Robot) -> str:
     return Page().columns(rows)
 
 
+def notation(derivation: Derivation, page: Page | None = None) -> str:
+    """What the shorthand of angles and constants stands for."""
+    page = page or Page()
+    lines = ["  c1 = cos(theta1), s1 = sin(theta1), and so on"]
+    if angles := joint_angles(derivation):
+        pairs = (f"{item.cosine} = cos({item.name}), {item.sine} = sin({item.name})" for item in angles)
+        lines = [f"  {pair}" for pair in pairs]
+    for angle, total in angle_sums(derivation):
+        lines.append(page.equation(angle.name, f"{page.formula(total)}, {angle.cosine} = cos({angle.name})"))
+    lines += [page.equation(item.name, item.value) for item in derivation.schedule.constants]
+    lines.append("  Atan2(y, x) is the angle of the point (x, y)")
+    return "\n".join(lines)
+
+
 def links(forward: Forward, page: Page | None = None) -> str:
     """The link transforms as matrices."""
     page = page or Page()
@@ -150,7 +122,7 @@ def forward_kinematics(forward: Forward, page: Page | None = None) -> str:
 def jacobian(forward: Forward, jacobian: Jacobian, page: Page | None = None) -> str:
     """Axis directions z_i, axis points o_i and the columns of the geometric Jacobian in the base frame."""
     page = page or Page()
-    head = "columns [z_i x (oE - o_i); z_i] for R, [z_i; 0] for P in the base frame, velocity above; oE = p"
+    head = "columns [z_i x (oE - o_i); z_i] of R, [z_i; 0] of P; base frame, velocity first, oE = p"
     parts = [page.prose(head)]
     parts += [page.equation(item.name, item.value) for item in axis_definitions(forward, jacobian)]
     for number, column in enumerate(zip(*jacobian.entries, strict=True), start=1):
@@ -209,6 +181,7 @@ def derivation_steps(robot: Robot, plan: Plan, page: Page | None = None) -> str:
     head = [page.prose(f"given: {TASKS[plan.task]}, as entries of T = [u v w p]")]
     if (0, count) not in windows:
         head.append(f"  T_0_{count} = T")
+    head.append(page.prose("T_i_j is the part of T that joints i+1 to j make"))
     if letter != "A":
         head.append(page.prose(f"{letter}i is the motion of joint i with the constant transform to the next joint"))
     parts = ["\n".join(head)]
@@ -277,6 +250,7 @@ def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, f
         f"{title}\n{'=' * len(title)}",
         f"{_heading(CONVENTIONS[robot.convention])}\n{table(robot, page)}",
         f"{_heading('Parameters')}\n{parameters(robot)}",
+        f"{_heading('Notation')}\n{notation(derivation, page)}",
     ]
     if full:
         sections.append(f"{_heading('Link transforms')}\n{links(derivation.forward, page)}")

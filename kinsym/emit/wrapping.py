@@ -14,23 +14,18 @@ WIDTH = 110
 _SHORTEST = 0.45
 
 
+#: How late an operator is taken for a cut; a space after a comma counts as 0.
+_RANKS = {"+": 0, "-": 0, "&&": 0, "*": 1, "/": 1}
+
+
 def _cuts(text: str) -> Iterator[tuple[int, int, int]]:
-    """Places where a line may end: (depth of brackets, 0 for + - && and commas but 1 for * /, position)."""
-    depth = 0
-    for position, letter in enumerate(text):
-        if letter in "([{":
-            depth += 1
-        elif letter in ")]}":
-            depth -= 1
-        elif letter == " ":
-            if text[position - 1] == ",":
-                yield depth, 0, position
-            elif text[position + 1 : position + 3] in ("+ ", "- "):
-                yield depth, 0, position
-            elif text[position + 1 : position + 4] == "&& ":
-                yield depth, 0, position
-            elif text[position + 1 : position + 3] in ("* ", "/ "):
-                yield depth, 1, position
+    """Places where a line may end: (depth of brackets, rank, position)."""
+    depth = position = 0
+    for word in text.split(" "):
+        if position > 0 and (word in _RANKS or text[position - 2] == ","):
+            yield depth, _RANKS.get(word, 0), position - 1
+        depth += sum(word.count(mark) for mark in "([{") - sum(word.count(mark) for mark in ")]}")
+        position += len(word) + 1
 
 
 def cut(text: str, first: int, others: int | None = None) -> list[str]:
@@ -52,5 +47,19 @@ def cut(text: str, first: int, others: int | None = None) -> list[str]:
 
 
 def fill(text: str, width: int) -> list[str]:
-    """Prose in lines of at most ``width`` letters; a word that is longer stays whole."""
-    return textwrap.wrap(text, width, break_long_words=False, break_on_hyphens=False) or [""]
+    """A comment in lines of at most ``width`` letters, cut between equations (after ``;``) where that is possible.
+
+    >>> fill("(4) theta6: x = c6; y = s6; z = 0", 22)
+    ['(4) theta6: x = c6;', 'y = s6; z = 0']
+    """
+    lines = [""]
+    for part in text.split("; "):
+        joined = f"{lines[-1]}; {part}" if lines[-1] else part
+        if len(joined) <= width:
+            lines[-1] = joined
+            continue
+        if lines[-1]:
+            lines[-1] += ";"
+            lines.append("")
+        lines[-1:] = textwrap.wrap(part, width, break_long_words=False, break_on_hyphens=False) or [""]
+    return lines

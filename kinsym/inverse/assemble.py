@@ -119,11 +119,11 @@ def _joint_values(chain: Chain, known: Knowledge) -> Iterable[JointValue]:
             yield JointValue(variable=joint.variable, value=Sym(own.name), wrapped=False)
             continue
         terms = []
-        for start, end in sorted(path, key=lambda pair: -abs(pair[0] - pair[1])):
+        for start, end in path:
             angle = _angle(chain, group, start, end)
             forward = (angle.sign > 0) == (start < end)
             terms.append(mul(number(1 if forward == (own.sign > 0) else -1), Sym(angle.name)))
-        terms.sort(key=negative)
+        terms.sort(key=lambda term: (negative(term), *symbols(term)))
         yield JointValue(variable=joint.variable, value=add(*terms), wrapped=True)
 
 

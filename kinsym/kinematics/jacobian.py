@@ -8,8 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from kinsym.algebra.nested import nested
-from kinsym.algebra.ring import Vector
-from kinsym.algebra.tree import ONE, ZERO, Definition, Num, Sym, Tree, add, mul, negated, sub
+from kinsym.algebra.ring import Poly, Vector
+from kinsym.algebra.tree import ONE, ZERO, Definition, Num, Sym, Tree, mul, negated, sub
 from kinsym.kinematics.chain import Chain
 from kinsym.kinematics.forward import Forward, pose_direction, pose_point
 
@@ -38,16 +38,19 @@ def geometric_jacobian(chain: Chain, forward: Forward) -> Jacobian:
     ring = chain.ring
     zero = ring.zero
     definitions: list[Definition] = []
+    names: dict[Poly, Tree] = {}
 
     def named(vector: Vector, letter: str) -> Column:
-        trees: list[Tree] = []
+        """The entries by name; what is equal has one name."""
         for row, entry in zip("xyz", vector, strict=True):
-            tree = nested(ring, entry)
-            if not _plain(tree):
-                definitions.append(Definition(name=f"{letter}_{row}", value=tree))
-                tree = Sym(f"{letter}_{row}")
-            trees.append(tree)
-        return trees[0], trees[1], trees[2]
+            if entry not in names:
+                tree = nested(ring, entry)
+                if not _plain(tree):
+                    definitions.append(Definition(name=f"{letter}_{row}", value=tree))
+                    tree = Sym(f"{letter}_{row}")
+                names[entry] = tree
+        x, y, z = (names[entry] for entry in vector)
+        return x, y, z
 
     end = named(forward.columns[3], "oE")
     axes: list[Vector] = []
@@ -90,4 +93,4 @@ def _cross(left: Column, right: Column) -> Column:
 
 def _difference(a: Tree, b: Tree, c: Tree, d: Tree) -> Tree:
     """``a*b - c*d``."""
-    return add(mul(a, b), negated(mul(c, d)) if mul(c, d) != ZERO else ZERO)
+    return sub(mul(a, b), mul(c, d))

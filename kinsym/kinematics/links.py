@@ -145,11 +145,16 @@ def _screw_rows(ring: Ring, constants: Constants, robot: Robot) -> tuple[Rigid, 
     def vector(cells: tuple[Expr, Expr, Expr]) -> Vector:
         return tuple(constants.length(ring, cell) for cell in cells)
 
-    frames = [
-        Rigid(axis_frame(ring, vector(joint.s), row), vector(joint.s0))
-        for row, joint in enumerate(robot.joints, start=1)
-        if joint.s is not None and joint.s0 is not None
-    ]
+    frames: list[Rigid] = []
+    origin: Vector = (ring.zero, ring.zero, ring.zero)
+    for row, joint in enumerate(robot.joints, start=1):
+        if joint.s is None or joint.s0 is None:
+            raise RobotError(
+                "a row of a table of screws has no axis", where=f"{robot.name}, joints row {row}", remedy="Add s and s0"
+            )
+        axis = vector(joint.s)
+        origin = _foot(ring, origin, axis, vector(joint.s0))
+        frames.append(Rigid(axis_frame(ring, axis, row), origin))
     if robot.home is None:
         raise RobotError("a table of screws needs a home pose", where=robot.name, remedy="Add [home] u0, v0, w0, q0")
     home = robot.home
@@ -159,6 +164,13 @@ def _screw_rows(ring: Ring, constants: Constants, robot: Robot) -> tuple[Rigid, 
         for joint, here, following in zip(robot.joints, frames, frames[1:], strict=False)
     ]
     return frames[0], body
+
+
+def _foot(ring: Ring, point: Vector, axis: Vector, through: Vector) -> Vector:
+    """The point of an axis nearest to a point: where its frame is put, wherever on the axis the table's s0 lies."""
+    along = ring.dot(plus(point, minus(through)), axis)
+    x, y, z = (ring.reduce(p + along * s) for p, s in zip(through, axis, strict=True))
+    return x, y, z
 
 
 def axis_frame(ring: Ring, axis: Vector, row: int) -> Rotation:

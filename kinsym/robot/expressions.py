@@ -26,7 +26,7 @@ from kinsym.errors import RobotError
 from kinsym.robot.names import shown
 from kinsym.robot.text import cell_text
 
-LONGEST_TEXT = 500
+LONGEST_TEXT = 1000
 DEEPEST = 40
 LARGEST_POWER = 8
 MOST_TERMS = 100

@@ -129,7 +129,7 @@ def from_draft(draft: Mapping[str, object], *, where: str, bindings: Mapping[str
                 remedy=f"{nearest(given, used)}The parameters of the table: {', '.join(used) or 'none'}.",
             )
     robot = replace(robot, parameters={parameter: values.get(parameter) for parameter in used})
-    return fold_zeros(bind(exact_angles(robot), bindings))
+    return exact_angles(fold_zeros(bind(robot, bindings)))
 
 
 _EXAMPLES = {

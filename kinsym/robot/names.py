@@ -36,8 +36,11 @@ _FUNCTIONS = frozenset(
     fmax fmin fmod frexp hypot ldexp log log10 log2 modf nan pi pow remainder rint round sign sin sinh sqrt tan tanh
     tgamma trunc wrap""".split()
 )
+# Names of the generated functions, of what they call, and of what is local where the user's names are in scope.
 _GENERATED = frozenset(
-    """T q p R J G S I i j k m n np numpy tau size delta reference valid out pose self fk ik ik_batch ik_near jacobian
+    """T q p R J G M N S I i j k m n np numpy math tau size delta defect reference zeros parameters valid real out pose
+    count fk ik ik_batch ik_near jacobian self all_finite angle_of sign_of read_pose reaches usable isfinite isnan
+    direction homogeneous homogeneous2 linear quadratic quotient quotient_length triangle
     NAME TITLE JOINTS JOINT_TYPES PARAMETERS MAX_SOLUTIONS TASK""".split()
 )
 _PATTERNS = (
@@ -46,6 +49,7 @@ _PATTERNS = (
     (re.compile(r"[cs](alpha|theta)\w*"), "such names are cosines and sines of angles"),
     (re.compile(r"[uvwpzo]\d*_[xyz]"), "such names are entries of poses and axes"),
     (re.compile(r"(kappa|mu|nu|gamma)\d+"), "such names are coefficients of the derivation"),
+    (re.compile(r"[in]\d+"), "such names count branches"),
     (re.compile(r"[kw]_\d+"), "such names are quantities of the derivation"),
     (re.compile(r"A\d+|T_\d+_\d+"), "such names are link transforms and poses"),
     (re.compile(r"(M|DBL|FLT|FP|INT|UINT|SIZE)_\w+"), "such names are constants of C"),

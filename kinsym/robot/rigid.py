@@ -10,13 +10,10 @@ import sympy
 from sympy import Expr, Integer
 
 from kinsym.errors import RobotError
-from kinsym.robot.expressions import is_zero, names
+from kinsym.robot.expressions import LONGEST_TEXT, is_zero, names, writable
 from kinsym.robot.model import Matrix, Vector
 
 _EXACT_HINT = 'Write exact numbers, for example "sqrt(2)/2", "cos(deg(20))" or "3/5".'
-
-
-MOST_TERMS_OF_ANGLES = 100
 
 
 def check_direction(direction: Vector, *, where: str) -> None:
@@ -54,19 +51,19 @@ def check_rotation(columns: tuple[Vector, Vector, Vector], *, what: str, where: 
 def from_rpy(roll: Expr, pitch: Expr, yaw: Expr, *, where: str) -> tuple[Vector, Vector, Vector]:
     """The columns of Rz(yaw) Ry(pitch) Rx(roll): turns about the fixed axes x, y, z in this order, as in URDF."""
     _check_constant((roll, pitch, yaw), "rpy", where)
-    # SymPy turns cos(deg(1.5)) into a dozen roots, and a product of three of them into pages.
-    sizes = [len(sympy.Add.make_args(f(angle))) for angle in (roll, pitch, yaw) for f in (sympy.cos, sympy.sin)]
-    if prod(sizes) > MOST_TERMS_OF_ANGLES:
-        raise RobotError(
-            "these angles have cosines of too many roots",
-            where=where,
-            remedy="Write them as decimals in radians, or in steps of 15 degrees.",
-        )
-    cr, sr, cp, sp, cy, sy = (f(angle) for angle in (roll, pitch, yaw) for f in (sympy.cos, sympy.sin))
-    u = (cy * cp, sy * cp, -sp)
-    v = (cy * sp * sr - sy * cr, sy * sp * sr + cy * cr, cp * sr)
-    w = (cy * sp * cr + sy * sr, sy * sp * cr - cy * sr, cp * cr)
-    return _expanded(u), _expanded(v), _expanded(w)
+    cr, sr, cp, sp, cy, sy = values = [f(angle) for angle in (roll, pitch, yaw) for f in (sympy.cos, sympy.sin)]
+    # SymPy turns cos(deg(1.5)) into a page of roots; the product of three of them would be a book.
+    if sum(len(str(value)) for value in values) <= 2 * LONGEST_TEXT:
+        u = _expanded((cy * cp, sy * cp, -sp))
+        v = _expanded((cy * sp * sr - sy * cr, sy * sp * sr + cy * cr, cp * sr))
+        w = _expanded((cy * sp * cr + sy * sr, sy * sp * cr - cy * sr, cp * cr))
+        if all(writable(cell) for cell in (*u, *v, *w)):
+            return u, v, w
+    raise RobotError(
+        "the sines and cosines of these angles have too many roots",
+        where=where,
+        remedy="Write the angles as decimals in radians, or in steps of 15 degrees.",
+    )
 
 
 def transform(columns: tuple[Vector, Vector, Vector], origin: Vector) -> Matrix:

@@ -44,7 +44,7 @@ def check_keys(table: Mapping[str, object], known: tuple[str, ...], *, where: st
 
 def read_vector(cells: object, *, where: str) -> Vector:
     """Three cells."""
-    if not isinstance(cells, list) or len(cells) != 3:  # noqa: PLR2004
+    if not isinstance(cells, list) or len(cells) != 3:
         raise RobotError("three cells are needed", where=where, remedy='Write a list such as ["0", "0", "1"].')
     x, y, z = (parse(cell, where=f"{where}[{i}]") for i, cell in enumerate(cells))
     return x, y, z
@@ -128,7 +128,7 @@ class _Row:
         if "limits" not in self.cells:
             return None
         where, limits = f"{self.where}, limits", self.cells["limits"]
-        if not isinstance(limits, list) or len(limits) != 2:  # noqa: PLR2004
+        if not isinstance(limits, list) or len(limits) != 2:
             raise RobotError("limits are two numbers", where=where, remedy='Write ["deg(-160)", "deg(160)"].')
         low, high = (number(limit, where=where) for limit in limits)
         if low >= high:

@@ -41,7 +41,7 @@ class _CellPrinter(StrPrinter):  # type: ignore[misc]
 
     def _print_Pow(self, power: Any, rational: bool = False) -> str:
         top, bottom = (int(power.exp.p), int(power.exp.q)) if power.exp.is_Rational else (1, 1)
-        if bottom & (bottom - 1) == 0 and (bottom > 2 or (bottom == 2 and abs(top) > 1)):  # noqa: PLR2004
+        if bottom & (bottom - 1) == 0 and (bottom > 2 or (bottom == 2 and abs(top) > 1)):
             # SymPy keeps roots of roots, and powers of roots, as powers such as 3**(1/4); a cell has only sqrt.
             root = f"sqrt({self._print(Pow(power.base, Rational(2, bottom)))})"
             return root if top == 1 else f"{root}**({top})"

@@ -38,11 +38,9 @@ def robot() -> Robot:
     )
 
 
-def _step(
-    number: int, unknown: str, rule: str, inputs: dict[str, Tree], outputs: tuple[str, ...], branches: int
-) -> Step:
+def _step(unknown: str, rule: str, inputs: dict[str, Tree], outputs: tuple[str, ...], branches: int) -> Step:
     return Step(
-        number=number,
+        number=1,
         unknown=unknown,
         rule=rule,
         equations=(),
@@ -61,7 +59,7 @@ def _step(
 
 def schedule() -> Schedule:
     """Position task: the triangle gives theta2, the direction theta1."""
-    c1, s1, c2, s2, c12, s12, l1, l2, x, y = map(Sym, "c1 s1 c2 s2 c12 s12 l1 l2 p_x p_y".split())
+    c1, s1, c12, s12, l1, l2, x, y = map(Sym, "c1 s1 c12 s12 l1 l2 p_x p_y".split())
     tolerance = mul(Sym("tau"), Sym("size"))
     theta12 = add(Sym("theta1"), Sym("theta2"))
     forward = tuple(
@@ -86,7 +84,6 @@ def schedule() -> Schedule:
         Solve(
             level=1,
             step=_step(
-                2,
                 "theta1",
                 "direction",
                 {"x": x, "y": y, "along": Sym("a_2"), "across": Sym("w_2"), "t": tolerance},

@@ -33,7 +33,9 @@ def test_planar_arm_by_eye() -> None:
 
 def test_prismatic_joint_by_eye() -> None:
     """A longer joint moves the end along its own axis and turns nothing."""
-    table = TableKinematics(load("stanford_screw"), {name: Fraction(1, 2) for name in load("stanford_screw").parameters})
+    table = TableKinematics(
+        load("stanford_screw"), {name: Fraction(1, 2) for name in load("stanford_screw").parameters}
+    )
     short, long = (table.forward([0.2, 0.4, d3, 0.1, 0.6, -0.3]) for d3 in (0.5, 0.75))
     moved = [float(after[3] - before[3]) for after, before in zip(long[:3], short[:3], strict=True)]
     assert math.hypot(*moved) == pytest.approx(0.25)

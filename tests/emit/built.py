@@ -68,9 +68,7 @@ class CLibrary:
         """What ik returns."""
         return self.ik(T, parameters=parameters)[0]
 
-    def ik(
-        self, T: Any, reference: Any = None, parameters: dict[str, float] | None = None
-    ) -> tuple[int, np.ndarray]:
+    def ik(self, T: Any, reference: Any = None, parameters: dict[str, float] | None = None) -> tuple[int, np.ndarray]:
         """What ik_near returns, and the solutions; rows beyond them must stay as they were."""
         q = np.full((self.schedule.maximum + 1, self.joints), 99.0)
         near = None if reference is None else _pointer(np.array(reference, dtype=float))

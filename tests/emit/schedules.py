@@ -1,8 +1,8 @@
 """Schedules written out by hand, so that the printers of code are tested without the search.
 
 The planar 2R is the lecture's motivating example (section 3.1). The six-joint arm is J. J. Craig's Puma 560
-(Introduction to Robotics, sections 3.7 and 4.7: the table, and the link lengths of Armstrong, Khatib, Burdick 1986) with
-the inverse kinematics of kinsym's own rules. The polar arm adds a prismatic joint, a gate and no parameters.
+(Introduction to Robotics, sections 3.7 and 4.7: the table, with the link lengths of Armstrong, Khatib, Burdick 1986)
+with the inverse kinematics of kinsym's own rules. The polar arm adds a prismatic joint, a gate and no parameters.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def solve(level: int, rule: str, outputs: str, branches: int, reference: str = "
     signs = tuple((name.lstrip("-"), -1 if name.startswith("-") else 1) for name in reference.split())
     step = Step(
         number=1,
-        unknown=outputs.split()[0],
+        unknown=outputs.split(maxsplit=1)[0],
         rule=rule,
         equations=(),
         coefficients=(),
@@ -117,9 +117,7 @@ def planar_2r(*, a2: str | None = "0.5", title: str = "Planar 2R") -> Schedule:
             solve(0, "triangle", "k_2 w_2 along_2", 2, x="p_x", y="p_y", l1="a1", l2="a2", t="tau*size"),
             *assign(1, "theta2 = atan2(w_2/a2, k_2/a2)"),
             Note(level=1, text="(2) theta1, a direction: p_x = c1 (a1 + k_2) - s1 w_2, p_y = s1 (a1 + k_2) + c1 w_2"),
-            solve(
-                1, "direction", "c1 s1", 1, "theta1", x="p_x", y="p_y", along="along_2", across="w_2", t="tau*size"
-            ),
+            solve(1, "direction", "c1 s1", 1, "theta1", x="p_x", y="p_y", along="along_2", across="w_2", t="tau*size"),
             *assign(1, "theta1 = atan2(s1, c1)"),
         ],
         task=Task.POSITION,
@@ -202,9 +200,7 @@ def puma() -> Schedule:
         parameters={"a2": "0.4318", "a3": "0.0203", "d3": "0.1501", "d4": "0.4318"},
         constants="l3 = sqrt(a3**2 + d4**2)",
         forward=line(PUMA_FORWARD, PUMA_POSE),
-        jacobian=line(
-            PUMA_COSINES + "\nh = a2*c2 + a3*c23 - d4*s23\nr = -a2*s2 - a3*s23 - d4*c23", PUMA_JACOBIAN
-        ),
+        jacobian=line(PUMA_COSINES + "\nh = a2*c2 + a3*c23 - d4*s23\nr = -a2*s2 - a3*s23 - d4*c23", PUMA_JACOBIAN),
         inverse=[
             Note(level=0, text="(1) theta1, one linear equation: p_y c1 - p_x s1 = d3"),
             solve(0, "linear", "c1 s1", 2, "theta1", a="p_y", b="-p_x", e="d3", t="tau*size"),
@@ -214,9 +210,7 @@ def puma() -> Schedule:
             solve(2, "direction", "c3 s3", 1, "theta3", x="k_2", y="w_2", along="a3", across="d4", t="tau*size"),
             *assign(2, "theta3 = atan2(s3, c3)"),
             Note(level=2, text="(3) theta2, a direction: mu1 = c2 (a2 + k_2) - s2 w_2, -p_z = s2 (a2 + k_2) + c2 w_2"),
-            solve(
-                2, "direction", "c2 s2", 1, "theta2", x="mu1", y="-p_z", along="along_2", across="w_2", t="tau*size"
-            ),
+            solve(2, "direction", "c2 s2", 1, "theta2", x="mu1", y="-p_z", along="along_2", across="w_2", t="tau*size"),
             *assign(2, "theta2 = atan2(s2, c2)\nc23 = c2*c3 - s2*s3\ns23 = s2*c3 + c2*s3"),
             *(
                 item

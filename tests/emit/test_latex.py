@@ -79,6 +79,7 @@ SAMPLES = {
         ("c1*p16_x", r"c_{1} \, {}^{1}p_{6,x}"),
         ("c12m4*a2", "c_{12-4} a_{2}"),
         ("0.5*pi - pi", r"\pi/2 - \pi"),
+        ("cos(pi/6)", r"\cos(\pi/6)"),
         ("-kappa1/(2*l1)", r"-\frac{\kappa_{1}}{2 l_{1}}"),
         ("abs(a + b)", r"\lvert a + b \rvert"),
         ("(a + b)**2", "(a + b)^{2}"),

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import contextlib
 import os
+import time
 import tomllib
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -15,6 +17,7 @@ from kinsym.errors import RobotError
 from kinsym.robot import Convention, Task, from_inline, load, parse, to_toml
 from kinsym.robot.dh_text import rows_from_csv
 from kinsym.robot.expressions import symbol
+from kinsym.robot.files import from_draft
 from tests.robot.helpers import ARM, build, changed
 
 TOML = """
@@ -258,6 +261,38 @@ def test_random_text_is_a_robot_or_refused(text: str) -> None:
 
 def test_a_byte_order_mark_is_no_key(tmp_path: Path) -> None:
     assert load(write(tmp_path, "arm.toml", "\ufeff" + TOML)).name == "arm"
+
+
+RPY = [
+    ["deg(3)", 0, 0],
+    ["deg(15)", "deg(30)", "deg(45)"],
+    ["deg(3)", "deg(15)", 0],
+    ["deg(10)", "deg(20)", "deg(30)"],
+    ["deg(7.5)", "deg(22.5)", "deg(36)"],
+    [0.1, 0.2, 0.3],
+    [1.5708, "-pi", 0],
+]
+
+
+@pytest.mark.parametrize("rpy", RPY, ids=str)
+def test_a_turned_tool_is_read_back(rpy: list[object]) -> None:
+    robot = build(changed(ARM, "tool", to={"rpy": rpy}))
+    assert build(tomllib.loads(to_toml(robot))).tool == robot.tool
+
+
+def test_angles_of_too_many_roots() -> None:
+    start = time.perf_counter()
+    with pytest.raises(RobotError, match=r"\[tool\] rpy: the sines and cosines of these angles have too many roots"):
+        build(changed(ARM, "tool", to={"rpy": ["deg(1.5)"] * 3}))
+    assert time.perf_counter() - start < 2
+
+
+def test_a_bound_angle_is_made_exact_as_well() -> None:
+    rows = [{"alpha": "beta", "a": "1", "d": "0", "theta": "theta1"}]
+    draft = {"name": "arm", "convention": "paul", "joints": rows}
+    robot = from_draft(draft, where="arm.toml", bindings={"beta": Fraction("1.5708")})
+    assert robot.joints[0].alpha == parse("pi/2")
+    assert build(tomllib.loads(to_toml(robot))).joints == robot.joints
 
 
 def test_reading_back_what_was_written() -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
-from kinsym.algebra.tree import ZERO, Call, Definition, PlusMinus, Pow, opposite, sub, sum_of_squares
+from kinsym.algebra.tree import ZERO, Call, Definition, PlusMinus, sub, sum_of_squares
 from kinsym.inverse.plan import Step
 from kinsym.inverse.rules.base import (
     Candidate,
@@ -45,6 +45,7 @@ def _build(state: State, form: LinearForm, names: Names) -> Outcome:
     b = names.short("kappa", state.tree(form.b), definitions)
     e = names.short("kappa", state.tree(form.e), definitions)
     radius = sum_of_squares(a, b)
+    fixed = state.chain.ring.is_constant(form.e)
     root = Call("sqrt", (sub(radius, sum_of_squares(e)),))
     step = Step(
         number=names.step(),
@@ -58,8 +59,8 @@ def _build(state: State, form: LinearForm, names: Names) -> Outcome:
         unit=form.equation.unit,
         reference=angle.terms,
         solution=((angle.name, PlusMinus(Call("atan2", (b, a)), Call("atan2", (root, e)))),),
-        condition=(radius, ">=", Pow(e, 2) if e != opposite(e) else ZERO),
-        degenerate=(radius, "=", ZERO),
+        condition=(radius, ">=", sum_of_squares(e)),
+        degenerate=None if fixed else (sum_of_squares(a, b, e), "=", ZERO),
         why="one equation holds this angle alone",
     )
     return Outcome((step, angle_value(angle)), state.known.with_angle(edge(angle)))

@@ -1,0 +1,47 @@
+"""Arms for tests: the gallery, and tables of shapes that the gallery does not have."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from kinsym.derivation import Derivation, derive
+from kinsym.robot import from_inline, gallery, load
+from kinsym.robot.model import Robot
+
+SHAPES = {
+    "shoulder_offset": "pi/2 a1 d1 theta1; 0 a2 0 theta2+pi/2; pi/2 a3 0 theta3; "
+    "-pi/2 0 d4 theta4; pi/2 0 0 theta5; 0 0 d6 theta6",
+    "reversed_axes": "pi/2 a1 d1 -theta1; pi a2 0 theta2; pi/2 a3 0 pi-theta3; "
+    "-pi/2 0 d4 theta4; pi/2 0 0 -theta5; pi 0 d6 theta6+pi/2",
+    "gantry_wrist": "pi/2 0 d1 0; pi/2 0 d2 pi/2; 0 0 d3 0; -pi/2 0 0 theta4; pi/2 0 0 theta5; 0 0 l6 theta6",
+    "skew_wrist": "pi/2 a1 0 theta1; 0 a2 0 theta2; pi/2 a3 0 theta3; "
+    "deg(60) 0 d4 theta4; -deg(60) 0 0 theta5; 0 0 d6 theta6",
+    "skew_shoulder": "deg(30) a1 0 theta1; 0 a2 0 theta2; pi/2 a3 0 theta3; "
+    "-pi/2 0 d4 theta4; pi/2 0 0 theta5; 0 0 d6 theta6",
+    "cylindrical_wrist": "0 0 l1 theta1; -pi/2 0 d2 0; 0 0 d3 0; pi/2 0 0 theta4; -pi/2 0 0 theta5; 0 0 d6 theta6",
+    "scara_wrist": "0 a1 l1 theta1; 0 a2 0 theta2; 0 0 d3 0; pi/2 0 0 theta4; -pi/2 0 0 theta5; 0 0 l6 theta6",
+    "wrist_first": "pi/2 0 0 theta1; -pi/2 0 0 theta2; pi/2 a3 d3 theta3; 0 a4 0 theta4; pi/2 a5 d5 theta5; 0 0 d6 theta6",
+    "parallel_last": "pi/2 a1 d1 theta1; pi/2 0 d2 theta2; pi/2 0 d3 theta3; 0 a4 0 theta4; 0 a5 0 theta5; 0 a6 d6 theta6",
+    "slide_and_two": "pi/2 0 d1 0; 0 a2 0 theta2; 0 a3 0 theta3",
+    "planar_rpr": "pi/2 a1 0 theta1; -pi/2 0 d2 0; 0 a3 0 theta3",
+    "spherical_rrp": "pi/2 0 l1 theta1; pi/2 0 l2 theta2; 0 0 d3 0",
+    "three_slides": "pi/2 0 d1 0; pi/2 0 d2 pi/2; 0 0 d3 0",
+    "single": "0 a1 0 theta1",
+    "four_joints": "pi/2 0 d1 theta1; 0 a2 0 theta2; 0 a3 0 theta3; 0 a4 0 theta4",
+    "five_joints": "pi/2 0 d1 theta1; 0 a2 0 theta2; pi/2 0 0 theta3; -pi/2 0 d4 theta4; 0 0 d5 theta5",
+}
+"""Paul tables, cells alpha a d theta."""
+
+NAMES = (*gallery(), *SHAPES)
+
+
+@cache
+def robot(name: str) -> Robot:
+    """A gallery robot or a shape."""
+    return from_inline(SHAPES[name], convention="paul", name=name) if name in SHAPES else load(name)
+
+
+@cache
+def derivation(name: str) -> Derivation:
+    """The derivation of a gallery robot or a shape."""
+    return derive(robot(name))

@@ -1,0 +1,82 @@
+"""T of every table equals the product of its matrices, exactly; so do the link transforms and the Jacobian."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+
+from kinsym.kinematics.chain import build_chain
+from kinsym.kinematics.forward import forward_kinematics
+from kinsym.robot.model import Robot
+from tests.arms import NAMES, derivation, robot
+from tests.kinematics.exact import of_chain, product, sample
+
+SKEW = ("skew_wrist", "skew_shoulder")
+RIGHT_ANGLED = [name for name in NAMES if name not in SKEW]
+
+
+def pose(arm: Robot, seed: int) -> list[list[Fraction]]:
+    """T from the chain's polynomials at random rational values."""
+    chain = build_chain(arm)
+    columns = forward_kinematics(chain).columns
+    values = sample(arm, seed)
+    rows = [[of_chain(chain, values, column[i]) for column in columns] for i in range(3)]
+    return [*rows, [Fraction(0), Fraction(0), Fraction(0), Fraction(1)]]
+
+
+@pytest.mark.parametrize("name", RIGHT_ANGLED)
+def test_forward_kinematics_is_the_product_of_the_table(name: str) -> None:
+    arm = robot(name)
+    for seed in (1, 2):
+        assert pose(arm, seed) == product(arm, sample(arm, seed))
+
+
+@pytest.mark.parametrize("name", RIGHT_ANGLED)
+def test_jacobian_is_the_derivative_of_the_position(name: str) -> None:
+    """For a joint angle at c + i s the derivative of a trigonometric polynomial is exact: c -> -s, s -> c."""
+    found = derivation(name)
+    chain, columns, jacobian = found.chain, found.forward.columns, found.jacobian
+    values = sample(found.robot, 3)
+    for j, joint in enumerate(chain.joints):
+        axis = [of_chain(chain, values, entry) for entry in jacobian.axes[j]]
+        derivative = [_derivative(found, values, entry, joint.variable, joint.kind) for entry in columns[3]]
+        if joint.kind == "P":
+            assert derivative == axis
+            continue
+        end = [of_chain(chain, values, entry) for entry in jacobian.end]
+        lever = [e - of_chain(chain, values, entry) for e, entry in zip(end, jacobian.points[j], strict=True)]
+        assert derivative == _cross(axis, lever)
+        for column in columns[:3]:
+            turned = [_derivative(found, values, entry, joint.variable, "R") for entry in column]
+            assert turned == _cross(axis, [of_chain(chain, values, entry) for entry in column])
+
+
+def _cross(left: list[Fraction], right: list[Fraction]) -> list[Fraction]:
+    (a, b, c), (x, y, z) = left, right
+    return [b * z - c * y, c * x - a * z, a * y - b * x]
+
+
+def _derivative(found: object, values: object, poly: object, variable: str, kind: str) -> Fraction:
+    chain = found.chain  # type: ignore[attr-defined]
+    total = chain.ring.zero
+    if kind == "P":
+        return of_chain(chain, values, poly.diff(chain.ring[variable]))  # type: ignore[arg-type, attr-defined]
+    for angle in chain.angles.values():
+        sign = dict(angle.terms).get(variable, 0)
+        if sign:
+            c, s = chain.ring[angle.cosine], chain.ring[angle.sine]
+            total += (poly.diff(s) * c - poly.diff(c) * s) * sign  # type: ignore[attr-defined]
+    return of_chain(chain, values, total)  # type: ignore[arg-type]
+
+
+def test_scara_sums_its_angles_with_signs() -> None:
+    """The lecture's SCARA arm turns by theta1 + theta2 - theta4 (slide 22)."""
+    chain = derivation("scara").chain
+    assert "c12m4" in chain.ring
+    assert [group.joints for group in chain.groups] == [(0, 1, 2, 3)]
+
+
+def test_links_multiply_to_the_pose() -> None:
+    found = derivation("fanuc_s900w")
+    assert [link.name for link in found.forward.links] == ["A1", "A2", "A3", "A4", "A5", "A6"]
