@@ -20,8 +20,10 @@ SHAPES = {
     "-pi/2 0 d4 theta4; pi/2 0 0 theta5; 0 0 d6 theta6",
     "cylindrical_wrist": "0 0 l1 theta1; -pi/2 0 d2 0; 0 0 d3 0; pi/2 0 0 theta4; -pi/2 0 0 theta5; 0 0 d6 theta6",
     "scara_wrist": "0 a1 l1 theta1; 0 a2 0 theta2; 0 0 d3 0; pi/2 0 0 theta4; -pi/2 0 0 theta5; 0 0 l6 theta6",
-    "wrist_first": "pi/2 0 0 theta1; -pi/2 0 0 theta2; pi/2 a3 d3 theta3; 0 a4 0 theta4; pi/2 a5 d5 theta5; 0 0 d6 theta6",
-    "parallel_last": "pi/2 a1 d1 theta1; pi/2 0 d2 theta2; pi/2 0 d3 theta3; 0 a4 0 theta4; 0 a5 0 theta5; 0 a6 d6 theta6",
+    "wrist_first": "pi/2 0 0 theta1; -pi/2 0 0 theta2; pi/2 a3 d3 theta3; "
+    "0 a4 0 theta4; pi/2 a5 d5 theta5; 0 0 d6 theta6",
+    "parallel_last": "pi/2 a1 d1 theta1; pi/2 0 d2 theta2; pi/2 0 d3 theta3; "
+    "0 a4 0 theta4; 0 a5 0 theta5; 0 a6 d6 theta6",
     "slide_and_two": "pi/2 0 d1 0; 0 a2 0 theta2; 0 a3 0 theta3",
     "planar_rpr": "pi/2 a1 0 theta1; -pi/2 0 d2 0; 0 a3 0 theta3",
     "spherical_rrp": "pi/2 0 l1 theta1; pi/2 0 l2 theta2; 0 0 d3 0",

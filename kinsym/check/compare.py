@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from kinsym.check.examination import Examination
 from kinsym.check.ledger import Ledger
-from kinsym.check.poses import Counts, draws
+from kinsym.check.poses import Counts, draws, lengths_of
 from kinsym.check.report import Check
 from kinsym.check.sources import load
 
@@ -48,7 +48,7 @@ def compare(derivation: Derivation, sources: Mapping[str, str], progress: Progre
     schedule = derivation.schedule
     with tempfile.TemporaryDirectory(prefix="kinsym-") as folder:
         loaded = load(schedule, sources, Path(folder), ledger, progress)
-        choices = draws(schedule.parameters, schedule.digest, CHOICES)
+        choices = draws(schedule.parameters, lengths_of(derivation.robot), schedule.digest, CHOICES)
         for number, parameters in enumerate(choices):
             progress(f"checking, parameters {number + 1} of {len(choices)}" if len(choices) > 1 else "checking")
             counts = FULL if len(choices) == 1 else DIVIDED

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from kinsym.check.singular import Volume, zeros
 from kinsym.emit.schedule import JointName, Parameter
+from kinsym.robot.model import Robot
 
 Floats = NDArray[np.float64]
 
@@ -22,17 +23,24 @@ UNIFORM = "uniform"
 QUARTER = "quarter turns"
 SINGULAR = "singular"
 PAIR = "two at once"
+_Aimed = tuple[Floats, Floats]
+_TURNS = np.array((0.0, np.pi / 2, np.pi, -np.pi / 2))
+
 KINDS = (UNIFORM, QUARTER, SINGULAR, PAIR)
 
+#: Where the sequence of random numbers for parameters begins; poses of choice k use sequence k.
+PARAMETERS = 1000
 DISTANCES = (0.0, *(10.0**-k for k in range(3, 17)))
 
 
 @dataclass(frozen=True, kw_only=True)
 class Samples:
-    """Joint vectors of shape (m, n) and, for each, the index of its kind in :data:`KINDS`."""
+    """Joint vectors of shape (m, n), for each the index of its kind in :data:`KINDS` and how far it is from the
+    special value that was aimed at (radians, lengths in units of the robot; infinite for uniform ones)."""
 
     q: Floats
     kind: NDArray[np.intp]
+    offset: Floats
 
     def of(self, *kinds: str) -> NDArray[np.bool_]:
         """A mask of the samples of some kinds."""
@@ -54,22 +62,41 @@ def generator(digest: str, draw: int) -> np.random.Generator:
     return np.random.Generator(np.random.PCG64([int(digest[:16], 16), draw]))
 
 
-def draws(parameters: tuple[Parameter, ...], digest: str, count: int) -> list[dict[str, Fraction]]:
+def draws(
+    parameters: tuple[Parameter, ...], lengths: frozenset[str], digest: str, count: int
+) -> list[dict[str, Fraction]]:
     """Choices of the parameters: the table's values first, then values near them or, where none is given, 0.1 .. 1.
 
-    A parameter keeps the sign of its value in the table; zero stays zero.
+    A parameter keeps the sign of its value in the table; zero stays zero. In the last choice ``lengths`` are 1000
+    times as long: the unit must not matter.
     """
     chosen = []
     for draw in range(count if parameters else 1):
-        rng = generator(digest, 1000 + draw)
+        rng = generator(digest, PARAMETERS + draw)
         values = {}
         for parameter in parameters:
             factor = Fraction(int(rng.integers(500, 1501)), 1000)
-            free = Fraction(int(rng.integers(100, 1001)), 1000)
-            given = parameter.value
-            values[parameter.name] = free if given is None else given * (factor if draw else 1)
+            value = Fraction(int(rng.integers(100, 1001)), 1000)
+            if parameter.value is not None:
+                value = parameter.value * (factor if draw else 1)
+            unit = 1000 if draw == count - 1 and parameter.name in lengths else 1
+            values[parameter.name] = value * unit
         chosen.append(values)
     return chosen
+
+
+def lengths_of(robot: Robot) -> frozenset[str]:
+    """The names that stand in cells for lengths and in none for angles."""
+    long: set[str] = set()
+    angular: set[str] = set()
+    for joint in robot.joints:
+        for cell in (joint.a, joint.d, *(joint.s0 or ())):
+            long |= set() if cell is None else {symbol.name for symbol in cell.free_symbols}
+        for cell in (joint.alpha, joint.theta):
+            angular |= set() if cell is None else {symbol.name for symbol in cell.free_symbols}
+    for cell in robot.home.q0 if robot.home else ():
+        long |= {symbol.name for symbol in cell.free_symbols}
+    return frozenset(long - angular)
 
 
 def samples(
@@ -79,13 +106,16 @@ def samples(
     revolute = np.array([joint.kind == "R" for joint in joints])
     reach = size if size > 0 else 1.0
     parts = [
-        uniform(revolute, reach, counts.uniform, rng),
+        (uniform(revolute, reach, counts.uniform, rng), np.full(counts.uniform, np.inf)),
         _quarter_turns(revolute, reach, counts.quarter, rng),
         _singular(revolute, reach, volume, counts.singular, rng),
         _pairs(revolute, reach, volume, counts.pair, rng),
     ]
-    kind = np.concatenate([np.full(len(part), index) for index, part in enumerate(parts)])
-    return Samples(q=wrapped(np.concatenate(parts), revolute), kind=kind)
+    return Samples(
+        q=wrapped(np.concatenate([q for q, _ in parts]), revolute),
+        kind=np.concatenate([np.full(len(q), index) for index, (q, _) in enumerate(parts)]),
+        offset=np.concatenate([offset for _, offset in parts]),
+    )
 
 
 def uniform(revolute: NDArray[np.bool_], reach: float, count: int, rng: np.random.Generator) -> Floats:
@@ -99,58 +129,51 @@ def wrapped(q: Floats, revolute: NDArray[np.bool_]) -> Floats:
     return np.where(revolute, turned, q)
 
 
-def _quarter_turns(revolute: NDArray[np.bool_], reach: float, count: int, rng: np.random.Generator) -> Floats:
+def _quarter_turns(revolute: NDArray[np.bool_], reach: float, count: int, rng: np.random.Generator) -> _Aimed:
     """One joint at 0, ±pi/2 or pi (a length at 0) or next to it, the others anywhere."""
-    q = uniform(revolute, reach, count, rng)
-    for row in range(count):
-        joint = row % len(revolute)
-        turn = row // len(revolute)
-        q[row, joint] = _turn(bool(revolute[joint]), turn) + _distance(turn // 4, rng)
-    return q
+    q, rows = uniform(revolute, reach, count, rng), np.arange(count)
+    joint, turn = rows % len(revolute), rows // len(revolute)
+    offset = _offsets(turn // 4, rng)
+    q[rows, joint] = np.where(revolute[joint], _TURNS[turn % 4] + offset, offset * reach)
+    return q, np.abs(offset)
 
 
 def _singular(
     revolute: NDArray[np.bool_], reach: float, volume: Volume, count: int, rng: np.random.Generator
-) -> Floats:
+) -> _Aimed:
     """Joint vectors at and next to zeros of ``volume``."""
     found, moved, _ = zeros(uniform(revolute, reach, max(4, count // 12), rng), revolute, reach, volume)
     if not len(found):
-        return found
-    order = rng.permutation(len(found))
-    pick = order[np.arange(count) % len(found)]
-    q = found[pick].copy()
-    for row, joint in enumerate(moved[pick]):
-        q[row, joint] += _distance(row, rng) * (1.0 if revolute[joint] else reach)
-    return q
+        return found, np.empty(0)
+    rows = np.arange(count)
+    pick = rng.permutation(len(found))[rows % len(found)]
+    q, offset = found[pick].copy(), _offsets(rows, rng)
+    q[rows, moved[pick]] += offset * np.where(revolute[moved[pick]], 1.0, reach)
+    return q, np.abs(offset)
 
 
-def _pairs(revolute: NDArray[np.bool_], reach: float, volume: Volume, count: int, rng: np.random.Generator) -> Floats:
-    """Zeros of ``volume`` while another joint is at, or next to, a quarter turn.
+def _pairs(revolute: NDArray[np.bool_], reach: float, volume: Volume, count: int, rng: np.random.Generator) -> _Aimed:
+    """Zeros of ``volume`` at which another joint is put at, or next to, a quarter turn.
 
     The search runs at 10^-4 from the quarter turn: on it the volume may be zero whatever the others do.
     """
-    base = uniform(revolute, reach, max(4, count // 4), rng)
+    base, rows = uniform(revolute, reach, max(4, count // 4), rng), np.arange(count)
     held = rng.integers(0, len(revolute), len(base))
-    exact = np.array([_turn(bool(revolute[joint]), int(rng.integers(4))) for joint in held])
-    base[np.arange(len(base)), held] = exact + 1e-4
+    turn = np.where(revolute[held], _TURNS[rng.integers(0, 4, len(base))], 0.0)
+    base[np.arange(len(base)), held] = turn + 1e-4
     found, moved, start = zeros(base, revolute, reach, volume)
+    kept = held[start] != moved
+    found, start = found[kept], start[kept]
     if not len(found):
-        return found
+        return found, np.empty(0)
     pick = rng.integers(0, len(found), count)
-    q = found[pick].copy()
-    for row, source in enumerate(pick):
-        line = start[source]
-        if held[line] != moved[source]:
-            q[row, held[line]] = exact[line] + _distance(int(rng.integers(len(DISTANCES))), rng)
-        if rng.integers(2):
-            q[row, moved[source]] += _distance(int(rng.integers(len(DISTANCES))), rng)
-    return q
+    q, offset = found[pick].copy(), _offsets(rng.integers(0, len(DISTANCES), count), rng)
+    q[rows, held[start[pick]]] = turn[start[pick]] + offset
+    return q, np.abs(offset)
 
 
-def _turn(revolute: bool, quarter: int) -> float:
-    return (0.0, np.pi / 2, np.pi, -np.pi / 2)[quarter % 4] if revolute else 0.0
-
-
-def _distance(step: int, rng: np.random.Generator) -> float:
-    distance = DISTANCES[step % len(DISTANCES)]
-    return distance * float(rng.uniform(1.0, 3.0)) * float(rng.choice((-1.0, 1.0)))
+def _offsets(step: NDArray[np.intp], rng: np.random.Generator) -> Floats:
+    """Distances of :data:`DISTANCES` by index, up to three times as long, either way."""
+    size = len(step)
+    distance = np.array(DISTANCES)[step % len(DISTANCES)]
+    return np.asarray(distance * rng.uniform(1.0, 3.0, size) * rng.choice((-1.0, 1.0), size))

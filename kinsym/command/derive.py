@@ -62,11 +62,14 @@ def say_checks(report: Report, screen: Screen) -> None:
     for law, checks in _by_law(report).items():
         statuses = {check.status for check in checks}
         mark = "FAILED" if FAILED in statuses else "not run" if statuses == {NOT_RUN} else "ok"
-        limit = next((f" {check.limit}" for check in checks if check.limit), "")
+        limit = next((f" ({check.limit})" for check in checks if check.limit), "")
         screen.say(f"  {mark:<7} {law}{limit}: {', '.join(check.outcome() for check in checks)}")
         for check in checks:
             if check.note:
                 screen.say(f"          {check.subject}: {check.note}")
+    for case, number in report.measured["cases"].items():
+        if number:
+            screen.say(f"  note    {case}: {number}")
     screen.say()
 
 

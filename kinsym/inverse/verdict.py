@@ -1,44 +1,76 @@
-"""Why there is no closed form: which joints are left, and which axes fail to meet or to be parallel."""
+"""Why there is no closed form: which joints are left, and which axes fail to meet.
+
+Three consecutive axes i, i+1, i+2 meet in a point if a_i = a_{i+1} = 0 and d_{i+1} = 0 in Paul's table (Pieper 1968);
+the triple that misses by the fewest lengths is the one worth naming.
+"""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
+from sympy import Expr
+
+from kinsym.errors import RobotError
 from kinsym.inverse.state import State
-from kinsym.kinematics.chain import Chain
+from kinsym.kinematics.convert import paul_rows
 from kinsym.robot.model import Task
+
+FIXED = {
+    Task.POSE: 6,
+    Task.POSITION: 3,
+    Task.ORIENTATION: 3,
+    Task.PLANAR: 3,
+    Task.SCARA: 4,
+    Task.POSITION_AXIS: 5,
+}
+"""How many joints a task can fix."""
+
+
+@dataclass(frozen=True)
+class Miss:
+    """Two axes that miss each other by a length of the table."""
+
+    first: int
+    second: int
+    length: Expr
+
+    def __str__(self) -> str:
+        return f"axes {self.first} and {self.second} miss by {self.length}"
 
 
 def verdict(state: State) -> str:
     """One message: what was found, what is left, what blocks it and what would help."""
     chain = state.chain
-    known = [v for v in (j.variable for j in chain.joints) if v not in state.known.unknowns()]
-    left = ", ".join(state.known.unknowns())
-    found = f"after {', '.join(known)} " if known else ""
-    count = len(chain.joints)
-    if count > 6 or (state.task is not Task.POSE and count > 3):
-        reason = f"{count} joints are more than the task {state.task.value} fixes"
-        remedy = "Make joints constant or choose a task with more equations"
-    else:
-        reason = "no rule applies: " + _geometry(chain)
-        remedy = "A closed form needs three consecutive axes that meet in a point or are parallel"
-    return f"no closed form {found}for {left}: {reason}. {remedy}"
+    left = state.known.unknowns()
+    found = [joint.variable for joint in chain.joints if joint.variable not in left]
+    head = f"no closed form for {', '.join(left)}"
+    if found:
+        head += f" ({', '.join(found)} can be found)"
+    count, fixed = len(chain.joints), FIXED[state.task]
+    if count > fixed:
+        reason = f"{count} joints are more than the {fixed} that the task {state.task.value} fixes"
+        return f"{head}: {reason}. Make {count - fixed} of them constant, or give a task with more equations"
+    misses = blocking(state)
+    if not misses:
+        return f"{head}: no rule applies to the equations that are left. Three consecutive axes that meet would help"
+    numbers = [number for miss in misses for number in (miss.first, miss.second)]
+    axes = ", ".join(map(str, range(min(numbers), max(numbers) + 1)))
+    zeros = " = ".join(dict.fromkeys(str(miss.length) for miss in misses))
+    reason = "no three consecutive axes meet or are parallel in a way that separates the joints: "
+    return f"{head}: {reason}{', '.join(map(str, misses))}. With {zeros} = 0 axes {axes} would meet"
 
 
-def _geometry(chain: Chain) -> str:
-    sizes = [group.last for group in chain.groups]
-    if max(sizes) >= 3:
-        return "three axes are parallel, but the others do not separate"
-    wrist = wrist_offsets(chain)
-    if wrist:
-        return "the last three axes do not meet (" + ", ".join(wrist) + ")"
-    return "the equations of the remaining joints do not separate"
-
-
-def wrist_offsets(chain: Chain) -> list[str]:
-    """The lengths that keep the last three axes apart."""
-    result = []
-    for first, second in zip(chain.joints[-3:], chain.joints[-2:], strict=False):
-        used = sorted({name for entry in first.after.translation[:2] for name in chain.ring.used(entry)})
-        if any(first.after.translation[:2]):
-            what = " and ".join(used) if used else "a distance"
-            result.append(f"the axes of {first.variable} and {second.variable} miss by {what}")
-    return result
+def blocking(state: State) -> list[Miss]:
+    """The lengths that keep the best triple of axes from meeting."""
+    try:
+        rows = paul_rows(state.chain)
+    except RobotError:
+        return []
+    triples: list[list[Miss]] = []
+    for i in range(len(rows) - 2):
+        if any(row.kind == "P" for row in rows[i : i + 3]):
+            continue
+        lengths = ((i, i + 1, rows[i].a), (i + 1, i + 2, rows[i + 1].a), (i, i + 2, rows[i + 1].d))
+        triples.append([Miss(first + 1, second + 1, length) for first, second, length in lengths if length != 0])
+    triples = [triple for triple in triples if triple]
+    return min(reversed(triples), key=len, default=[])

@@ -43,8 +43,15 @@ def convert(robot: Robot, convention: Convention) -> Robot:
     )
 
 
+def paul_rows(chain: Chain) -> list[Row]:
+    """The rows of a chain in Paul's convention. Raises :class:`RobotError` where they cannot be written exactly."""
+    return _Writer(chain).rows()[0]
+
+
 @dataclass(frozen=True, kw_only=True)
-class _Row:
+class Row:
+    """One row of Paul's table; the joint variable is part of ``d`` or ``theta``."""
+
     kind: str
     variable: str
     d: Expr
@@ -53,13 +60,13 @@ class _Row:
     alpha: Expr
 
 
-def _paul(rows: list[_Row]) -> tuple[Joint, ...]:
+def _paul(rows: list[Row]) -> tuple[Joint, ...]:
     return tuple(
         Joint(kind=row.kind, variable=row.variable, alpha=row.alpha, a=row.a, d=row.d, theta=row.theta) for row in rows
     )
 
 
-def _craig(rows: list[_Row]) -> tuple[Joint, ...]:
+def _craig(rows: list[Row]) -> tuple[Joint, ...]:
     joints = []
     alpha, a = ZERO, ZERO
     for row in rows:
@@ -75,10 +82,10 @@ class _Writer:
         self.chain, self.ring = chain, chain.ring
         self._formulas = dict(chain.constants.formulas())
 
-    def rows(self) -> tuple[list[_Row], Rigid]:
+    def rows(self) -> tuple[list[Row], Rigid]:
         """Paul's rows, and what is left after the last."""
         ring = self.ring
-        rows: list[_Row] = []
+        rows: list[Row] = []
         left = Rigid.unit(ring)
         for joint in self.chain.joints:
             constant = left.then(ring, joint.after)
@@ -87,7 +94,7 @@ class _Writer:
             value = symbol(joint.variable) * joint.sign
             theta, d = self._angle(*link.phi, joint.variable), self.expression(link.delta)
             rows.append(
-                _Row(
+                Row(
                     kind=joint.kind,
                     variable=joint.variable,
                     d=d + value if joint.kind == "P" else d,

@@ -33,7 +33,8 @@ FAULTS = {
     "a branch lost": ("reach & ~border]", "reach & False]", laws.FOUND_LAW),
     "order of branches": ("enumerate((1.0, -1.0))", "enumerate((-1.0, 1.0))", laws.AGREE_LAW),
     "border not merged": ("reach & ~border]", "reach]", laws.COPY_LAW),
-    "no clamp at the border": ("reach = (f1 >= -t1) & (f2 >= -t2)", "reach = (f1 > 0) & (f2 > 0)", laws.FOUND_LAW),
+    "no clamp at the border": ("reach = (f1 >= -t1) & (f2 >= -t2)", "reach = (f1 > 0) & (f2 > 0)", laws.CLOSE_LAW),
+    "band too wide": ("TAU = 2.0**-46", "TAU = 1e-9", laws.FOUND_LAW),
     "reach not tested": ("reach = (f1 >= -t1) & (f2 >= -t2)", "reach = f1 < 1e300", laws.FAR_LAW),
     "NaN in what is valid": ("np.where(valid[..., None], q, np.nan), valid", "q * np.nan, valid", laws.INVERSE_LAW),
     "angle out of range": (

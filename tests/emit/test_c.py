@@ -81,6 +81,29 @@ def test_agrees_with_numpy_at_the_border(reach: float) -> None:
     assert count == len(solutions)
 
 
+def test_gate_and_wider_border_as_in_numpy() -> None:
+    module, library = both(polar)
+    pose = np.eye(4)
+    for height, count in [(0.0, 2), (1e-10, 2), (1e-6, 0)]:
+        pose[:3, 3] = 0.3, 0.4, height
+        assert library.status(pose) == len(module.ik(pose)) == count
+    _, library = both(planar_2r)
+    pose = np.eye(4)
+    pose[0, 3] = 1.2 + 1e-9
+    assert library.status(pose) == 0
+    pose[0, 0] += 1e-8
+    assert library.status(pose) == 1
+
+
+@pytest.mark.parametrize("scale", [1e-60, 1e-3, 1e3, 1e70, 1e140])
+def test_huge_and_tiny_arms_as_in_numpy(scale: float) -> None:
+    module, library = both(puma)
+    lengths = {name: scale * value for name, value in module.PARAMETERS.items()}
+    for q in joint_vectors(30, 6):
+        pose = module.fk(q, **lengths)
+        np.testing.assert_allclose(library.ik(pose, parameters=lengths)[1], module.ik(pose, **lengths), atol=1e-9)
+
+
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, 5.0, 1e300])
 @pytest.mark.parametrize("place", range(16))
 def test_what_is_no_pose_has_its_own_status(place: int, value: float) -> None:
@@ -153,7 +176,11 @@ def test_example_of_the_header_compiles(tmp_path: Path) -> None:
         program += f"int main(void) {{\n{body}\nreturn 0;\n}}\n"
         (tmp_path / "example.c").write_text(program, encoding="utf-8")
         finished = subprocess.run(
-            [find_compiler() or "cc", "-std=c99", "-fsyntax-only", "example.c"], cwd=tmp_path, capture_output=True, text=True, check=False
+            [find_compiler() or "cc", "-std=c99", "-fsyntax-only", "example.c"],
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+            check=False,
         )
         assert finished.returncode == 0, finished.stderr
 

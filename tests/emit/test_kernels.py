@@ -6,6 +6,7 @@ import ctypes
 import math
 from collections.abc import Callable
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -18,6 +19,11 @@ T = 1e-12  # a tolerance that is easy to step over on both sides
 REFERENCE = 0.3
 Roots = list[tuple[float, ...]]
 Kernel = Callable[..., Roots]
+ANGLES = """double test_angle(double s, double c);
+double test_angle(double s, double c) { return angle_of(s, c); }
+double test_wrap(double angle);
+double test_wrap(double angle) { return wrap(angle); }
+"""
 HELPED = [rule for rule, kernel in KERNELS.items() if not kernel.plain]
 
 
@@ -34,11 +40,15 @@ def _wrapper(rule: str) -> str:
 
 @cache
 def _library() -> ctypes.CDLL:
-    return CLibrary(every_kernel(), "\n" + "".join(map(_wrapper, HELPED))).library
+    library = CLibrary(every_kernel(), "\n" + ANGLES + "".join(map(_wrapper, HELPED))).library
+    for function in (library.test_angle, library.test_wrap):
+        function.restype = ctypes.c_double
+        function.argtypes = [ctypes.c_double] * (2 if function is library.test_angle else 1)
+    return library
 
 
 @cache
-def _module() -> object:
+def _module() -> Any:
     return numpy_module(every_kernel())
 
 
@@ -93,6 +103,7 @@ FREE = (math.cos(REFERENCE), math.sin(REFERENCE))
         (1e-150, 0.0, 1.0, 0),  # no coefficient, a right side: no root
         (0.0, 0.0, 1.0, 0),
         (0.0, 0.0, 2.0 * T, 0),
+        (0.9 * T, 0.0, 1.5 * T, 0),
         (math.nan, 1.0, 0.0, 0),
         (1.0, 1.0, math.nan, 0),
     ],
@@ -155,6 +166,7 @@ def test_homogeneous2_takes_the_pair_that_is_larger_in_its_tolerance(kernel: Ker
         (0.7, 0.5, 0.2 - 3.0 * T, 0),
         (0.7, 0.5, 0.2 + 3.0 * T, 2),
         (0.6, 0.6, 0.0, 1),  # equal links folded on the base
+        (0.6, 0.6, 0.5 * T, 1),
         (0.6, 0.6, 3.0 * T, 2),
         (0.7, 0.0, 0.7, 1),  # no second link: a circle
         (0.0, 0.5, 0.5, 0),  # no first link: no triangle
@@ -215,6 +227,31 @@ def test_quotient_length(kernel: Kernel) -> None:
 )
 def test_quadratic(kernel: Kernel, b: float, c: float, roots: list[float]) -> None:
     assert [root for (root,) in kernel("quadratic", b=b, c=c, t=T)] == pytest.approx(roots)
+
+
+def _neighbours(value: float) -> list[float]:
+    """The doubles around a value."""
+    around = [value]
+    for _ in range(5):
+        around += [np.nextafter(around[-1], math.inf)]
+        around.insert(0, np.nextafter(around[0], -math.inf))
+    return list(map(float, around))
+
+
+@pytest.mark.parametrize("language", [pytest.param("c", marks=needs_compiler), "numpy"])
+def test_angles_are_above_minus_pi_and_at_most_pi(language: str) -> None:
+    module = _module()
+    angle = _library().test_angle if language == "c" else lambda s, c: float(module._angle(s, c))
+    wrap = _library().test_wrap if language == "c" else lambda x: float(module._wrap(x))
+    for s, c, expected in [(-0.0, -1.0, np.pi), (0.0, -1.0, np.pi), (-1e-300, -1.0, np.pi), (0.0, 1.0, 0.0)]:
+        assert angle(s, c) == expected
+    assert math.isnan(angle(math.nan, 1.0))
+    assert math.isnan(wrap(math.nan))
+    turns = [value for k in range(-9, 11) for value in _neighbours(k * math.pi)]
+    for x in [*turns, *map(float, np.linspace(-30.0, 30.0, 501))]:
+        assert -math.pi < wrap(x) <= math.pi
+        assert abs(math.sin((wrap(x) - x) / 2.0)) < 1e-14
+    assert [wrap(k * math.pi) for k in (-3, -1, 1, 3)] == [math.pi] * 4
 
 
 @needs_compiler

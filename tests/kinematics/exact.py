@@ -72,10 +72,7 @@ def _screws(robot: Robot, values: Values) -> Rows:
             cosine, sine = values.circle[joint.variable or ""]
             cross = [[Fraction(0), -s[2], s[1]], [s[2], Fraction(0), -s[0]], [-s[1], s[0], Fraction(0)]]
             turned = [
-                [
-                    cosine * int(i == j) + (1 - cosine) * s[i] * s[j] + sine * cross[i][j]
-                    for j in range(3)
-                ]
+                [cosine * int(i == j) + (1 - cosine) * s[i] * s[j] + sine * cross[i][j] for j in range(3)]
                 for i in range(3)
             ]
             moved = [s0[i] - sum(turned[i][j] * s0[j] for j in range(3)) for i in range(3)]

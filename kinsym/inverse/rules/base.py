@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
 from kinsym.algebra.ring import Poly
-from kinsym.algebra.tree import Call, Definition, Num, Pow, Sym, Tree, mul, negated
+from kinsym.algebra.tree import ZERO, Call, Definition, Num, Pow, Sum, Sym, Tree, mul, negated, negative, opposite
 from kinsym.inverse.knowledge import Knowledge
 from kinsym.inverse.plan import Equation, Item
 from kinsym.inverse.pool import PoolEquation
@@ -146,8 +146,15 @@ def tolerance(unit: int) -> Tree:
 
 
 def shown(state: State, equation: PoolEquation) -> Equation:
-    """A pool equation as the plan prints it."""
-    return Equation(lhs=state.tree(equation.lhs), rhs=state.tree(equation.rhs), source=equation.source)
+    """A pool equation as the plan prints it, without a minus sign on both sides."""
+    left, right = state.tree(equation.lhs), state.tree(equation.rhs)
+    if _all_negative(left) and (_all_negative(right) or right == ZERO):
+        left, right = negated(left), opposite(right)
+    return Equation(lhs=left, rhs=right, source=equation.source)
+
+
+def _all_negative(tree: Tree) -> bool:
+    return all(map(negative, tree.terms)) if isinstance(tree, Sum) else negative(tree)
 
 
 def angle_value(angle: Angle) -> Definition:
