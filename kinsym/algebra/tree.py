@@ -156,7 +156,7 @@ def sum_of_squares(*trees: Tree) -> Tree:
 
 
 def add(*terms: Tree) -> Tree:
-    """The sum of trees; nested sums are flattened, numbers are added up and come last."""
+    """The sum of trees; nested sums are flattened, numbers are added up and come last, or first to save a minus."""
     total = Fraction(0)
     flat: list[Tree] = []
     for term in terms:
@@ -166,7 +166,7 @@ def add(*terms: Tree) -> Tree:
             else:
                 flat.append(part)
     if total or not flat:
-        flat.append(Num(total))
+        flat.insert(0 if total > 0 and flat and negative(flat[0]) else len(flat), Num(total))
     return flat[0] if len(flat) == 1 else Sum(tuple(flat))
 
 

@@ -99,11 +99,11 @@ class Judge:
             )
         missing = np.isnan(a).any(axis=-1) & np.isnan(b).any(axis=-1)
         same: Mask = np.asarray((count_a == count_b) & np.all(near | missing, axis=-1))
-        open_ = np.flatnonzero((count_a == count_b) & ~same)
-        if open_.size:
-            joined = self.joined(a[open_], b[open_], poses[open_])
-            same[open_] = np.all(near[open_] | missing[open_] | joined, axis=-1)
-        sets = same.copy()
+        rows = np.flatnonzero((count_a == count_b) & ~same)
+        if rows.size:
+            fine: Mask = np.asarray(near | missing)
+            same[rows] = np.all(fine[rows] | self.joined(a[rows], b[rows], poses[rows]), axis=-1)
+        sets: Mask = same.copy()
         for row in np.flatnonzero(~same):
             sets[row] = self._covers(a[row], b[row], poses[row]) and self._covers(b[row], a[row], poses[row])
         return same, sets

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from kinsym.emit.c_source import c_source
-from kinsym.emit.numpy_source import numpy_source
 from kinsym.emit.schedule import Schedule
+from kinsym.emit.source.c_source import c_source
+from kinsym.emit.source.numpy_source import numpy_source
 
 Target = Callable[[Schedule], dict[str, str]]
 

@@ -11,9 +11,9 @@ from collections.abc import Iterable
 from dataclasses import astuple, dataclass
 
 from kinsym.algebra.tree import Call, Pow, Prod, Quot, Sum, Tree, children
-from kinsym.emit.needs import inverse_needs, line_needs
 from kinsym.emit.printer import split_sign
 from kinsym.emit.schedule import Assign, Note, Schedule, StraightLine
+from kinsym.emit.source.needs import inverse_needs, line_needs
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from kinsym.algebra.convert import tree_of
 from kinsym.algebra.tree import Call, Definition, Tree, symbols
 from kinsym.emit.schedule import Assign, JointName, Note, Parameter, Schedule, Solve, Statement
 from kinsym.emit.straight import forward_line, jacobian_line
-from kinsym.emit.text_formula import TextPrinter
+from kinsym.emit.text.formula import TextPrinter
 from kinsym.inverse.plan import Item, Plan, Step, Window
 from kinsym.inverse.rules import TITLES
 from kinsym.kinematics.chain import Chain

@@ -77,7 +77,7 @@ def schedule() -> Schedule:
         Solve(
             level=0,
             step=_step(
-                1, "theta2", "triangle", {"x": x, "y": y, "l1": l1, "l2": l2, "t": tolerance}, ("k_2", "w_2", "a_2"), 2
+                "theta2", "triangle", {"x": x, "y": y, "l1": l1, "l2": l2, "t": tolerance}, ("k_2", "w_2", "a_2"), 2
             ),
         ),
         Assign(level=1, name="theta2", value=Call("atan2", (Sym("w_2"), Sym("k_2")))),

@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 
 from kinsym.check.compiler import compile_shared
 from kinsym.emit import TARGETS
-from kinsym.emit.banner import c_comment, python_comment, python_docstring, python_string
-from kinsym.emit.needs import inverse_needs
 from kinsym.emit.operations import inverse_operations, line_operations
 from kinsym.emit.schedule import Note, Schedule
+from kinsym.emit.source.banner import c_comment, python_comment, python_docstring, python_string
+from kinsym.emit.source.needs import inverse_needs
 from tests.emit.built import needs_compiler, numpy_module
 from tests.emit.schedules import assign, planar_2r, puma, solve
 

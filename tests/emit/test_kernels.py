@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from kinsym.emit.kernels import KERNELS
+from kinsym.emit.source.kernels import KERNELS
 from tests.emit.built import CLibrary, needs_compiler, numpy_module
 from tests.emit.schedules import every_kernel
 

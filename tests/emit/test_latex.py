@@ -19,11 +19,11 @@ from hypothesis import strategies as st
 
 from kinsym.algebra.tree import Sym
 from kinsym.emit.latex import document
-from kinsym.emit.latex_formula import LatexPrinter
-from kinsym.emit.latex_layout import PAGE, Relation, aligned
-from kinsym.emit.latex_measure import width
-from kinsym.emit.latex_names import Names
-from kinsym.emit.latex_prose import escape, prose
+from kinsym.emit.latex.formula import LatexPrinter
+from kinsym.emit.latex.layout import PAGE, Relation, aligned
+from kinsym.emit.latex.measure import width
+from kinsym.emit.latex.names import Names
+from kinsym.emit.latex.sentences import escape, prose
 from tests.emit.sample import fanuc, planar_2r, tree
 
 HOSTILE = "50% of $x_1$ & #2 {~^} \\input{/etc/passwd}\n\\end{document} é Ω 漢字 \x07 <|> -- ``quotes'' " + "long" * 60

@@ -10,12 +10,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinsym.algebra.tree import Call, Num, Pi, PlusMinus, Pow, Prod, Quot, Sum, Sym, Tree, add, mul, sub
-from kinsym.emit.c_source import CPrinter
-from kinsym.emit.c_source import code as c_code
-from kinsym.emit.numpy_source import NumpyPrinter
-from kinsym.emit.numpy_source import code as numpy_code
 from kinsym.emit.printer import decimal
-from kinsym.emit.wrapping import WIDTH
+from kinsym.emit.source.c_source import CPrinter
+from kinsym.emit.source.c_source import code as c_code
+from kinsym.emit.source.numpy_source import NumpyPrinter
+from kinsym.emit.source.numpy_source import code as numpy_code
+from kinsym.emit.source.wrapping import WIDTH
 from kinsym.errors import KinsymError
 from tests.emit.sample import tree
 

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinsym.emit.breaking import TEXT, broken
+from kinsym.emit.prose.breaking import TEXT, broken
 from kinsym.emit.text import equations
-from kinsym.emit.text_formula import TextPrinter
+from kinsym.emit.text.formula import TextPrinter
 from tests.emit.sample import fanuc, planar_2r, tree
 
 SAMPLES = {"planar_2r": planar_2r, "fanuc": fanuc}

@@ -8,11 +8,11 @@ from itertools import pairwise
 from typing import ClassVar
 
 from kinsym.algebra.tree import Call, Num, Pi, PlusMinus, Pow, Prod, Quot, Sum, Sym, Tree, children
-from kinsym.emit.latex_measure import width
-from kinsym.emit.latex_names import Names
+from kinsym.emit.latex.measure import width
+from kinsym.emit.latex.names import Names
 from kinsym.emit.printer import _ATOM, _PRODUCT, _SUM
-from kinsym.emit.text_formula import ReaderPrinter
-from kinsym.emit.wording import as_fraction, decimal
+from kinsym.emit.prose.wording import as_fraction, decimal
+from kinsym.emit.text.formula import ReaderPrinter
 
 #: Brackets by the number of brackets inside them.
 _BRACKETS = (("(", ")"), (r"\bigl[", r"\bigr]"), (r"\bigl\lbrace ", r"\bigr\rbrace "), (r"\Bigl(", r"\Bigr)"))

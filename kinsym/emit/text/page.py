@@ -6,9 +6,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from kinsym.algebra.tree import Tree
-from kinsym.emit.breaking import TEXT, broken
-from kinsym.emit.text_formula import TextPrinter
-from kinsym.emit.wrapping import fill
+from kinsym.emit.prose.breaking import TEXT, broken
+from kinsym.emit.source.wrapping import fill
+from kinsym.emit.text.formula import TextPrinter
 
 
 @dataclass(frozen=True, kw_only=True)

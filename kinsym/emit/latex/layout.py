@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from kinsym.emit.breaking import LATEX, broken
-from kinsym.emit.latex_measure import width
+from kinsym.emit.latex.measure import width
+from kinsym.emit.prose.breaking import LATEX, broken
 
 #: 160 mm in points.
 PAGE = 455.0

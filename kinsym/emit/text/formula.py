@@ -12,7 +12,7 @@ from typing import ClassVar
 
 from kinsym.algebra.tree import Call, Num, Pi, PlusMinus, Pow, Prod, Quot, Sum, Tree
 from kinsym.emit.printer import _ATOM, _PRODUCT, _SUM, Printer, split_sign
-from kinsym.emit.wording import as_fraction, decimal
+from kinsym.emit.prose.wording import as_fraction, decimal
 
 
 class ReaderPrinter(Printer):

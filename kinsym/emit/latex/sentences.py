@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 import unicodedata
 
-from kinsym.emit.latex_names import Names, link, pose
+from kinsym.emit.latex.names import Names, link, pose
 
 _SPECIAL = {
     "\\": r"\textbackslash{}",

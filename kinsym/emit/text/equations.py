@@ -9,10 +9,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from kinsym.algebra.tree import Definition, Tree
-from kinsym.emit.cells import cell_tree
-from kinsym.emit.text_page import Page
-from kinsym.emit.vocabulary import angle_sums, joint_angles
-from kinsym.emit.wording import (
+from kinsym.emit.prose.cells import cell_tree
+from kinsym.emit.prose.vocabulary import angle_sums, joint_angles
+from kinsym.emit.prose.wording import (
     CONVENTIONS,
     GATE,
     POSE,
@@ -31,6 +30,7 @@ from kinsym.emit.wording import (
     rule_title,
     shown_items,
 )
+from kinsym.emit.text.page import Page
 from kinsym.inverse.cut import link_letter
 from kinsym.inverse.plan import Plan, Step, Window
 from kinsym.robot.model import Convention, Robot, Vector

@@ -10,14 +10,14 @@ import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from kinsym.emit.cells import cell_tree
 from kinsym.emit.environment import Delimiters, environment
-from kinsym.emit.latex_layout import SMALL, Block, Display, Matrix, Relation, aligned, chunks, matrices, table_fits
-from kinsym.emit.latex_names import link, pose
-from kinsym.emit.latex_passages import Formulas, Passages
-from kinsym.emit.latex_prose import escape
-from kinsym.emit.vocabulary import angle_sums, joint_angles
-from kinsym.emit.wording import (
+from kinsym.emit.latex.layout import SMALL, Block, Display, Matrix, Relation, aligned, chunks, matrices, table_fits
+from kinsym.emit.latex.names import link, pose
+from kinsym.emit.latex.passages import Formulas, Passages
+from kinsym.emit.latex.sentences import escape
+from kinsym.emit.prose.cells import cell_tree
+from kinsym.emit.prose.vocabulary import angle_sums, joint_angles
+from kinsym.emit.prose.wording import (
     CONVENTIONS,
     GATE,
     POSE,

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kinsym.emit.kernels import KERNELS
-from kinsym.emit.needs import InverseNeeds
 from kinsym.emit.printer import Printer
 from kinsym.emit.schedule import Assign, Note, Schedule, Statement
+from kinsym.emit.source.kernels import KERNELS
+from kinsym.emit.source.needs import InverseNeeds
 
 
 @dataclass(frozen=True, kw_only=True)

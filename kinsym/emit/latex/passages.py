@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from kinsym.algebra.tree import Definition, Tree
-from kinsym.emit.latex_formula import LatexPrinter, relation_sign
-from kinsym.emit.latex_layout import Block, Relation, aligned
-from kinsym.emit.latex_measure import width
-from kinsym.emit.latex_names import Names, pose
-from kinsym.emit.latex_prose import capital, prose
-from kinsym.emit.vocabulary import all_names
-from kinsym.emit.wording import Loop, branch_marks, loops, origins, rule_title, shown_items
+from kinsym.emit.latex.formula import LatexPrinter, relation_sign
+from kinsym.emit.latex.layout import Block, Relation, aligned
+from kinsym.emit.latex.measure import width
+from kinsym.emit.latex.names import Names, pose
+from kinsym.emit.latex.sentences import capital, prose
+from kinsym.emit.prose.vocabulary import all_names
+from kinsym.emit.prose.wording import Loop, branch_marks, loops, origins, rule_title, shown_items
 from kinsym.inverse.cut import link_letter
 from kinsym.inverse.plan import Equation, Step, Window
 

@@ -10,15 +10,15 @@ from collections.abc import Iterable, Sequence
 from typing import Any, ClassVar
 
 from kinsym.algebra.tree import ZERO, Tree
-from kinsym.emit.banner import banner, python_comment, python_docstring, python_string
 from kinsym.emit.environment import render
-from kinsym.emit.gate import gate_entries
-from kinsym.emit.kernels import ANGLE, KERNELS, kernels_used
-from kinsym.emit.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
 from kinsym.emit.printer import Printer, decimal
 from kinsym.emit.schedule import Schedule
-from kinsym.emit.statements import KernelCall, inverse_views
-from kinsym.emit.wrapping import WIDTH, cut, fill
+from kinsym.emit.source.banner import banner, python_comment, python_docstring, python_string
+from kinsym.emit.source.gate import gate_entries
+from kinsym.emit.source.kernels import ANGLE, KERNELS, kernels_used
+from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
+from kinsym.emit.source.statements import KernelCall, inverse_views
+from kinsym.emit.source.wrapping import WIDTH, cut, fill
 
 
 class NumpyPrinter(Printer):

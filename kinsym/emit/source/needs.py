@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from typing import TypedDict
 
 from kinsym.algebra.tree import Call, Tree, children, symbols
-from kinsym.emit.gate import gate_entries
-from kinsym.emit.kernels import KERNELS
 from kinsym.emit.schedule import Assign, Note, Parameter, Schedule, Solve, Statement, StraightLine
+from kinsym.emit.source.gate import gate_entries
+from kinsym.emit.source.kernels import KERNELS
 from kinsym.inverse.plan import Definition
 
 _COLUMNS, _ROWS = "uvwp", "xyz"

@@ -1,0 +1,1 @@
+"""Source code: the schedule printed as NumPy and as C, through templates."""
