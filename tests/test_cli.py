@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from kinsym import __version__
+from kinsym.check.report import FAILED, Check
 from kinsym.cli import CONVENTIONS, TARGETS, TASKS, main
 from kinsym.command.rendering import SUFFIXES
 from kinsym.robot import gallery
@@ -221,3 +222,49 @@ def test_interrupt_is_quiet(tmp_path: Path) -> None:
     assert process.returncode == 130
     assert "Traceback" not in err
     assert os.listdir(tmp_path) == []
+
+
+def test_a_failed_check_is_told_and_written(kinsym: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The files are there to be looked at, the report says failed, and so does the exit status."""
+    from kinsym.check import compare
+
+    failed = compare.Findings(
+        checks=(Check(law="a law", subject="C", status=FAILED, tried=3, failed=1, note="the reason"),),
+        figures={"poses": 3, "poses_by_kind": {}, "solutions_at_random_poses": {}},
+        measured={"cases": {}},
+    )
+    monkeypatch.setattr(compare, "compare", lambda *_: failed)
+    assert kinsym("derive", PLANAR) == 1
+    assert "C: a law" in kinsym.err
+    assert "the reason" in kinsym.out
+    assert json.loads((kinsym.folder / PLANAR / f"{PLANAR}.report.json").read_text())["checked"] == "failed"
+
+
+def test_without_a_compiler(kinsym: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The C is written, the report says that it was not compiled, and the rest is checked."""
+    monkeypatch.setattr("kinsym.check.sources.find_compiler", lambda: None)
+    assert kinsym("derive", PLANAR) == 0
+    assert "no C compiler was found" in kinsym.err
+    report = json.loads((kinsym.folder / PLANAR / f"{PLANAR}.report.json").read_text())
+    assert [check["law"] for check in report["checks"] if check["status"] == "not run"] == [
+        "compiles without a warning"
+    ]
+    assert f"{PLANAR}.c" in report["files"]
+
+
+def test_no_closed_form(kinsym: Run) -> None:
+    """Six axes that neither meet nor are parallel: status 1, what blocks it, nothing written."""
+    rows = "; ".join(f"alpha{i} a{i} d{i} theta{i}" for i in range(1, 7))
+    assert kinsym("derive", "--dh", rows, "--convention", "paul", "--name", "general") == 1
+    assert "no closed form" in kinsym.err
+    assert os.listdir(kinsym.folder) == []
+
+
+def test_same_bytes_whatever_the_hash_seed(tmp_path: Path) -> None:
+    """Sets and dictionaries leave no trace in the files."""
+    texts = []
+    for seed in ("1", "2"):
+        command = [sys.executable, "-m", "kinsym", "derive", "ur5", "--no-check", "--quiet", "-o", str(tmp_path / seed)]
+        subprocess.run(command, check=True, env={**os.environ, "PYTHONHASHSEED": seed})
+        texts.append({path.name: path.read_bytes() for path in (tmp_path / seed).iterdir()})
+    assert texts[0] == texts[1]

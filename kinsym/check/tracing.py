@@ -24,7 +24,7 @@ CORRECTIONS = 3
 #: Below this share of the largest singular value the pose hardly feels a motion.
 SOFT = 1e-6
 #: Nearer than this a straight line ends the way.
-ARRIVED = 1e-3
+ARRIVED = 1e-6
 POINTS = (0.25, 0.5, 0.75, 1.0)
 
 

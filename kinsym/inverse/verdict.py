@@ -13,6 +13,7 @@ from sympy import Expr
 from kinsym.errors import RobotError
 from kinsym.inverse.state import State
 from kinsym.kinematics.convert import paul_rows
+from kinsym.kinematics.tasks import mobility
 from kinsym.robot.model import Task
 
 FIXED = {
@@ -50,6 +51,10 @@ def verdict(state: State) -> str:
     if count > fixed:
         reason = f"{count} joints are more than the {fixed} that the task {state.task.value} fixes"
         return f"{head}: {reason}. Make {count - fixed} of them constant, or give a task with more equations"
+    ways = mobility(chain)
+    if ways < count:
+        reason = f"the {count} joints move the end effector in only {ways} independent ways, at every pose"
+        return f"{head}: {reason}. Make {count - ways} of the joints constant that others repeat"
     misses = blocking(state)
     if not misses:
         return f"{head}: no rule applies to the equations that are left. Three consecutive axes that meet would help"

@@ -10,13 +10,14 @@ import random
 
 from kinsym.algebra.field import PRIME, inverse
 from kinsym.kinematics.chain import Chain
-from kinsym.kinematics.jacobian import Jacobian
+from kinsym.kinematics.forward import forward_kinematics
+from kinsym.kinematics.jacobian import Jacobian, geometric_jacobian
 from kinsym.robot.model import Task
 
 X, Y, Z, WX, WY, WZ = range(6)
 
 FITTING: dict[int, tuple[tuple[Task, tuple[int, ...], tuple[int, ...]], ...]] = {
-    2: ((Task.POSITION, (X, Y, Z), (WX, WY)),),
+    2: ((Task.POSITION, (X, Y, Z), ()), (Task.ORIENTATION, (WX, WY, WZ), ())),
     3: (
         (Task.POSITION, (X, Y, Z), ()),
         (Task.PLANAR, (X, Y, WZ), (Z, WX, WY)),
@@ -37,6 +38,15 @@ def fitting_task(chain: Chain, jacobian: Jacobian) -> Task:
     if count == 5 and rank(_position_and_axis(chain, jacobian, rows)) == count:
         return Task.POSITION_AXIS
     return Task.POSE
+
+
+def mobility(chain: Chain) -> int:
+    """In how many independent ways the joints move the end effector at a general pose.
+
+    Fewer than there are joints means that the arm is singular everywhere: two joints about one line, four sliding
+    joints, four parallel axes.
+    """
+    return rank(_rows(chain, geometric_jacobian(chain, forward_kinematics(chain))))
 
 
 def rank(rows: list[list[int]]) -> int:

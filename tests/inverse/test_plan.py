@@ -135,6 +135,11 @@ def test_an_offset_wrist_is_named() -> None:
         plan_of("pi/2 0 d1 theta1; 0 a2 0 theta2; pi/2 0 0 theta3; -pi/2 0 d4 theta4; pi/2 0 d5 theta5; 0 0 d6 theta6")
 
 
+def test_joints_that_repeat_each_other_are_counted() -> None:
+    with pytest.raises(NoClosedForm, match=r"the 3 joints move the end effector in only 2 independent ways"):
+        plan_of("pi/2 0 d1 theta1; 0 0 d2 theta2; 0 a3 0 theta3")
+
+
 def test_too_many_joints_are_said_to_be_too_many() -> None:
     with pytest.raises(NoClosedForm, match=r"7 joints are more than the 6"):
         plan_of(

@@ -31,7 +31,8 @@ TITLES = {
     "direct": "cosine and sine given directly",
     "quotient": "cosine and sine from two linear equations",
 }
-DIRECT_COST, QUOTIENT_COST = 0, 15
+DIRECT_COST, ROTATION_COST, QUOTIENT_COST = 0, 15, 18
+"""A pair a c + b s, -b c + a s has the determinant a^2 + b^2, which vanishes least."""
 WIDEST = 14
 """How many of the shortest equations of an angle are paired."""
 
@@ -53,8 +54,13 @@ def candidates(view: View) -> Iterator[Candidate]:
                 build = partial(_direct, state, first, second, determinant)
             else:
                 build = partial(_quotient, state, first, second)
-            constant = build.func is _direct
-            yield Candidate(DIRECT_COST if constant else QUOTIENT_COST, terms, first.angle.name, build)
+            cost = DIRECT_COST if build.func is _direct else ROTATION_COST if _turned(first, second) else QUOTIENT_COST
+            yield Candidate(cost, terms, first.angle.name, build)
+
+
+def _turned(first: LinearForm, second: LinearForm) -> bool:
+    """Whether the second left side is the first a quarter turn on, up to its sign."""
+    return (second.a, second.b) in ((-first.b, first.a), (first.b, -first.a))
 
 
 def _cross(state: State, a: Poly, b: Poly, c: Poly, d: Poly) -> Poly:
@@ -88,9 +94,10 @@ def _direct(state: State, first: LinearForm, second: LinearForm, determinant: Po
 
 
 def _divided(state: State, numerator: Poly, constant: Poly) -> Tree:
-    if constant.is_ground:
-        return state.tree(numerator.quo_ground(constant.coeff(1)))
-    return Quot(state.tree(numerator), state.tree(constant))
+    above, below = numerator.cancel(constant)
+    if below.is_ground:
+        return state.tree(above.quo_ground(below.coeff(1)))
+    return Quot(state.tree(above), state.tree(below))
 
 
 def _quotient(state: State, first: LinearForm, second: LinearForm, names: Names) -> Outcome:
