@@ -13,7 +13,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from kinsym.check.laws import CLOSURE, CLUSTER, COPY, FORWARD, SAME, Judge, malformed, outward
+from kinsym.check.laws import CLOSURE, COPY, FORWARD, SAME, Judge, malformed, outward
 from kinsym.check.ledger import Ledger
 from kinsym.check.poses import KINDS, PAIR, UNIFORM, Counts, generator, samples
 from kinsym.check.singular import volume_of
@@ -32,7 +32,7 @@ SINGLE_POSES = 24
 FAR_POSES = 12
 NOISE_POSES = 60
 
-#: Nearer to a singular pose than this, several double roots may merge; they do within 2 sqrt(2 tau).
+#: Nearer to a singular pose than this, double roots merge (within 2 sqrt(2 tau)) and angles are soft.
 MERGED = 1e-6
 #: One in so many of those may be lost: a soft angle can leave a later step without a root.
 LOSSES = 100
@@ -174,28 +174,19 @@ class Examination:
         self.ledger.count(RANGE_LAW, name, len(which), int(outside.any(axis=1).sum()))
 
     def _known(self, name: str, answer: Solutions, which: Rows) -> None:
-        """The known joint vectors are found; within :data:`MERGED` of a singular pose, at least up to a cluster."""
-        (q, count), known, poses = answer, self.q[which], self.poses[which]
+        """The known joint vectors are found."""
+        q, count = answer
         pair, close = self.samples.of(PAIR)[which], self._close[which]
-        found = self.judge.found(q, known, poses)
-        open_ = np.flatnonzero(~found & (close | pair))
-        cluster = np.zeros_like(found)
-        cluster[open_] = self.judge.found(q[open_], known[open_], poses[open_], limit=CLUSTER)
-        clear, missed = ~close & ~pair, ~found & ~cluster
+        missed = ~self.judge.found(q, self.q[which], self.poses[which])
+        clear = ~close & ~pair
         self.ledger.count(FOUND_LAW, name, int(clear.sum()), int((missed & clear).sum()))
-        lost = int((missed & close).sum())
-        self.ledger.count(
-            CLOSE_LAW, name, int(close.sum()), _beyond(lost, close, LOSSES), limit=f"all but 1 in {LOSSES}"
-        )
-        several = int((pair & (count == 0)).sum())
-        few = f"all but 1 in {PAIR_LOSSES}"
+        lost, several = int((missed & close).sum()), int((pair & (count == 0)).sum())
+        few, fewer = f"all but 1 in {PAIR_LOSSES}", f"all but 1 in {LOSSES}"
+        self.ledger.count(CLOSE_LAW, name, int(close.sum()), _beyond(lost, close, LOSSES), limit=fewer)
         self.ledger.count(PAIR_LAW, name, int(pair.sum()), _beyond(several, pair, PAIR_LOSSES), limit=few)
-        self.ledger.tally(
-            f"{name}: one singularity, known vector in a cluster of merged roots", int((cluster & close).sum())
-        )
-        self.ledger.tally(f"{name}: one singularity, known vector not found", lost)
-        self.ledger.tally(f"{name}: two singularities, no solution", several)
-        self.ledger.tally(f"{name}: two singularities, known vector not found", int((pair & missed).sum()))
+        self.ledger.tally(f"{name}: next to a singular pose, known vector not found", lost)
+        self.ledger.tally(f"{name}: two singularities at once, no solution", several)
+        self.ledger.tally(f"{name}: two singularities at once, known vector not found", int((pair & missed).sum()))
 
     def _agree(self, subject: str, left: Solutions, right: Solutions, which: Rows) -> None:
         same, sets = self.judge.agreement(left, right, self.poses[which])
@@ -205,7 +196,7 @@ class Examination:
         failed = int(wrong.sum()) + _beyond(int(odd.sum()), close, LOSSES)
         self.ledger.count(AGREE_LAW, subject, len(which), failed, limit=f"<= {SAME:g} or one double root")
         self.ledger.tally(f"{subject}: at the edge of a tolerance band", int((~same & sets).sum()))
-        self.ledger.tally(f"{subject}: one singularity, not the same solutions", int(odd.sum()))
+        self.ledger.tally(f"{subject}: next to a singular pose, not the same solutions", int(odd.sum()))
 
     @property
     def _close(self) -> NDArray[np.bool_]:

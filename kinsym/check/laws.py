@@ -24,8 +24,6 @@ Mask = NDArray[np.bool_]
 CLOSURE = 1e-9
 #: Closure allowed on a way between two vectors that count as one solution.
 PATH = 1e-11
-#: The same where several double roots meet: a pose moved by the tolerance moves such roots by a power of it.
-CLUSTER = 3e-6
 FORWARD = 1e-12
 SAME = 1e-8
 COPY = 1e-7
@@ -47,15 +45,13 @@ class Judge:
             reached = self.kinematics.forward(q)
             return closure(reached, poses[:, None], self.task, self.kinematics.size)
 
-    def joined(
-        self, start: Floats, end: Floats, poses: Floats, *, limit: float = PATH, one_is_enough: bool = False
-    ) -> Mask:
-        """Whether ways from (m, S, n) to (m, 1 or S, n) stay on the poses up to ``limit``: (m, S).
+    def joined(self, start: Floats, end: Floats, poses: Floats, *, one_is_enough: bool = False) -> Mask:
+        """Whether ways from (m, S, n) to (m, 1 or S, n) stay on the poses: (m, S).
 
         Straight lines are tried first. With ``one_is_enough`` the search for curves is left out in rows that have
         a straight line.
         """
-        limit += 4 * self.tau
+        limit = PATH + 4 * self.tau
         with np.errstate(invalid="ignore"):
             way = wrapped(end - start, self.revolute)
             steps = np.stack([self.closures(start + t * way, poses) for t in POINTS])
@@ -69,10 +65,9 @@ class Judge:
             straight[open_] = traced
         return straight
 
-    def found(self, solutions: Floats, known: Floats, poses: Floats, *, limit: float = PATH) -> Mask:
+    def found(self, solutions: Floats, known: Floats, poses: Floats) -> Mask:
         """Whether the known joint vectors (m, n) are among the solutions (m, S, n): (m,)."""
-        ways = self.joined(solutions, known[:, None], poses, limit=limit, one_is_enough=True)
-        return np.asarray(ways.any(axis=1))
+        return np.asarray(self.joined(solutions, known[:, None], poses, one_is_enough=True).any(axis=1))
 
     def copies(self, solutions: Floats) -> int:
         """Pairs of solutions of one pose closer than :data:`COPY` in every joint."""
@@ -87,8 +82,8 @@ class Judge:
     def agreement(self, left: Solutions, right: Solutions, poses: Floats) -> tuple[Mask, Mask]:
         """Compare two answers: where they are the same in the same order, and where at least the same sets.
 
-        Solutions are the same within :data:`SAME` or when they are joined. Answers that agree as sets only, up to
-        :data:`CLUSTER`, lie at the edge of a tolerance band: one merges a double root, the other does not.
+        Solutions are the same within :data:`SAME` or when they are joined. Answers that agree as sets only lie
+        at the edge of a tolerance band: one merges a double root, the other does not.
         """
         (a, count_a), (b, count_b) = left, right
         width = max(a.shape[1], b.shape[1])
@@ -118,7 +113,7 @@ class Judge:
             return True
         start = np.broadcast_to(all_[None], (len(some), *all_.shape))
         poses = np.broadcast_to(pose, (len(some), 4, 4))
-        ways = self.joined(np.ascontiguousarray(start), some[:, None], poses, limit=CLUSTER, one_is_enough=True)
+        ways = self.joined(np.ascontiguousarray(start), some[:, None], poses, one_is_enough=True)
         return bool(ways.any(axis=1).all())
 
 
