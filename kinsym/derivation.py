@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from kinsym.emit.program import build_schedule
-from kinsym.emit.schedule import Schedule
+from kinsym.algebra.convert import tree_of
+from kinsym.algebra.tree import Definition
 from kinsym.inverse.plan import Plan
 from kinsym.inverse.search import derive_plan
 from kinsym.kinematics.chain import Chain, build_chain
@@ -24,7 +24,11 @@ class Derivation:
     forward: Forward
     jacobian: Jacobian
     plan: Plan
-    schedule: Schedule
+
+    @property
+    def constants(self) -> tuple[Definition, ...]:
+        """The constants of the table that are no polynomials: sqrt(2), cosines and sines of twists."""
+        return tuple(Definition(name=n, value=tree_of(e)) for n, e in self.chain.constants.formulas())
 
 
 def derive(robot: Robot, *, task: Task | None = None) -> Derivation:
@@ -41,6 +45,4 @@ def derive(robot: Robot, *, task: Task | None = None) -> Derivation:
     jacobian = geometric_jacobian(chain, forward)
     chosen = task or robot.task or fitting_task(chain, jacobian)
     plan = derive_plan(chain, chosen)
-    robot = replace(robot, task=chosen)
-    schedule = build_schedule(robot, chain, forward, jacobian, plan)
-    return Derivation(robot=robot, chain=chain, forward=forward, jacobian=jacobian, plan=plan, schedule=schedule)
+    return Derivation(robot=replace(robot, task=chosen), chain=chain, forward=forward, jacobian=jacobian, plan=plan)

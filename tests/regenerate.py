@@ -14,6 +14,7 @@ from kinsym.check.report import SUFFIX, steady
 from kinsym.check.reporting import report_of
 from kinsym.command.rendering import rendered
 from kinsym.derivation import derive
+from kinsym.emit.program import build_schedule
 from kinsym.robot import gallery, load
 from kinsym.write import write_set
 
@@ -23,9 +24,11 @@ GENERATED = Path(__file__).resolve().parent.parent / "generated"
 def files_of(name: str) -> tuple[dict[str, str], Findings]:
     """The files of one robot of the gallery by name, the report among them, and what its checks found."""
     derivation = derive(load(name))
-    sources = rendered(derivation)
-    findings = compare(derivation, sources)
-    return {**sources, name + SUFFIX: report_of(derivation, sources, findings).text()}, findings
+    schedule = build_schedule(derivation)
+    sources = rendered(derivation, schedule)
+    findings = compare(derivation.robot, schedule, sources)
+    report = report_of(derivation.robot, schedule, sources, findings)
+    return {**sources, name + SUFFIX: report.text()}, findings
 
 
 def comparable(name: str, text: str) -> str:

@@ -20,7 +20,8 @@ from kinsym.check.report import Check
 from kinsym.check.sources import load
 
 if TYPE_CHECKING:
-    from kinsym.derivation import Derivation
+    from kinsym.emit.schedule import Schedule
+    from kinsym.robot.model import Robot
 
 Progress = Callable[[str], None]
 
@@ -38,23 +39,24 @@ class Findings:
     measured: dict[str, Any] = field(default_factory=dict)
 
 
-def compare(derivation: Derivation, sources: Mapping[str, str], progress: Progress = lambda text: None) -> Findings:
+def compare(
+    robot: Robot, schedule: Schedule, sources: Mapping[str, str], progress: Progress = lambda text: None
+) -> Findings:
     """Hold the sources (file name -> text) of one robot to every law.
 
     Source that cannot be imported, compiled or run is a failed law, not an exception.
     """
     ledger = Ledger()
     poses, solutions = Counter[str](), Counter[int]()
-    schedule = derivation.schedule
     with tempfile.TemporaryDirectory(prefix="kinsym-") as folder:
         loaded = load(schedule, sources, Path(folder), ledger, progress)
-        choices = draws(schedule.parameters, lengths_of(derivation.robot), schedule.digest, CHOICES)
+        choices = draws(schedule.parameters, lengths_of(robot), schedule.digest, CHOICES)
         for number, parameters in enumerate(choices):
             progress(f"checking, parameters {number + 1} of {len(choices)}" if len(choices) > 1 else "checking")
             counts = FULL if len(choices) == 1 else DIVIDED
             targets = loaded.solvers(parameters)
             examination = Examination(
-                robot=derivation.robot,
+                robot=robot,
                 schedule=schedule,
                 parameters=parameters,
                 number=number,

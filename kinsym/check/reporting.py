@@ -16,12 +16,12 @@ from kinsym.robot.text import value_text
 
 if TYPE_CHECKING:
     from kinsym.check.compare import Findings
-    from kinsym.derivation import Derivation
+    from kinsym.emit.schedule import Schedule
+    from kinsym.robot.model import Robot
 
 
-def report_of(derivation: Derivation, sources: Mapping[str, str], findings: Findings | None) -> Report:
+def report_of(robot: Robot, schedule: Schedule, sources: Mapping[str, str], findings: Findings | None) -> Report:
     """Everything the report holds; without findings it says that nothing was checked."""
-    schedule = derivation.schedule
     return Report(
         name=schedule.name,
         title=schedule.title,
@@ -31,7 +31,7 @@ def report_of(derivation: Derivation, sources: Mapping[str, str], findings: Find
         joints=tuple(f"{joint.name} ({joint.kind})" for joint in schedule.joints),
         parameters={parameter.name: _value(parameter.value) for parameter in schedule.parameters},
         maximum=schedule.maximum,
-        table=to_toml(derivation.robot).splitlines(),
+        table=to_toml(robot).splitlines(),
         operations={
             "forward": asdict(line_operations(schedule, schedule.forward)),
             "inverse": asdict(inverse_operations(schedule)),

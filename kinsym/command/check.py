@@ -32,12 +32,14 @@ def _check_one(path: Path, screen: Screen) -> int:
     from kinsym.check.reporting import report_of
     from kinsym.command.rendering import rendered
     from kinsym.derivation import derive
+    from kinsym.emit.program import build_schedule
 
     screen.stage(f"reading {path.name}")
     robot, recorded = _read(path)
     screen.stage(f"deriving {robot.name}")
     derivation = derive(robot)
-    today = rendered(derivation)
+    schedule = build_schedule(derivation)
+    today = rendered(derivation, schedule)
     sources: dict[str, str] = {}
     missing, foreign, edited = [], [], []
     for name, text in today.items():
@@ -53,8 +55,8 @@ def _check_one(path: Path, screen: Screen) -> int:
         sources[name] = there
         if there != text:
             foreign.append(name)
-    findings = compare(derivation, sources, screen.stage)
-    report = report_of(derivation, sources, findings)
+    findings = compare(derivation.robot, schedule, sources, screen.stage)
+    report = report_of(derivation.robot, schedule, sources, findings)
     edited = [name for name, digest in report.files.items() if digest != recorded[name]]
     screen.say(f"{report.title}\n")
     say_checks(report, screen)

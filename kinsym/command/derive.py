@@ -16,6 +16,7 @@ def derive(options: argparse.Namespace, screen: Screen) -> int:
     from kinsym.check.reporting import report_of
     from kinsym.command.rendering import file_names, rendered
     from kinsym.derivation import derive as derivation_of
+    from kinsym.emit.program import build_schedule
     from kinsym.emit.text import equations
 
     screen.stage("reading the table")
@@ -27,13 +28,14 @@ def derive(options: argparse.Namespace, screen: Screen) -> int:
     screen.say(equations(derivation, width=screen.width, ascii=screen.ascii))
     screen.flush()
     screen.stage("writing the sources")
-    sources = rendered(derivation, options.target)
+    schedule = build_schedule(derivation)
+    sources = rendered(derivation, schedule, options.target)
     findings = None
     if not options.no_check:
         from kinsym.check.compare import compare
 
-        findings = compare(derivation, sources, screen.stage)
-    report = report_of(derivation, sources, findings)
+        findings = compare(derivation.robot, schedule, sources, screen.stage)
+    report = report_of(derivation.robot, schedule, sources, findings)
     paths = write_set(folder, {**sources, robot.name + SUFFIX: report.text()})
     say_checks(report, screen)
     screen.say("Written")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from kinsym.derivation import Derivation
+    from kinsym.emit.schedule import Schedule
 
 SUFFIXES = {"numpy": (".py",), "c": (".c", ".h"), "latex": (".tex",)}
 
@@ -20,19 +21,19 @@ def file_names(name: str, targets: Sequence[str] | None = None) -> list[str]:
     return [name + suffix for target, ends in SUFFIXES.items() if _wanted(target, targets) for suffix in ends]
 
 
-def rendered(derivation: Derivation, targets: Sequence[str] | None = None) -> dict[str, str]:
+def rendered(derivation: Derivation, schedule: Schedule, targets: Sequence[str] | None = None) -> dict[str, str]:
     """The texts by file name, in the order of :func:`file_names`."""
     from kinsym.emit import TARGETS
 
     texts: dict[str, str] = {}
     for target, source_of in TARGETS.items():
         if _wanted(target, targets):
-            texts.update(source_of(derivation.schedule))
+            texts.update(source_of(schedule))
     if _wanted("latex", targets):
         from kinsym.emit.latex import document
 
-        texts[derivation.schedule.name + ".tex"] = document(derivation)
-    return {name: texts[name] for name in file_names(derivation.schedule.name, targets)}
+        texts[schedule.name + ".tex"] = document(derivation)
+    return {name: texts[name] for name in file_names(schedule.name, targets)}
 
 
 def _wanted(target: str, targets: Sequence[str] | None) -> bool:

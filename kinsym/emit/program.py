@@ -6,22 +6,19 @@ what depends on theta1's branch once for each of its values, and so on.
 
 from __future__ import annotations
 
-from kinsym.algebra.convert import tree_of
 from kinsym.algebra.tree import Call, Definition, Tree, symbols
+from kinsym.derivation import Derivation
 from kinsym.emit.schedule import Assign, JointName, Note, Parameter, Schedule, Solve, Statement
 from kinsym.emit.straight import forward_line, jacobian_line
 from kinsym.emit.text.formula import TextPrinter
-from kinsym.inverse.plan import Item, Plan, Step, Window
+from kinsym.inverse.plan import Item, Step, Window
 from kinsym.inverse.rules import TITLES
-from kinsym.kinematics.chain import Chain
-from kinsym.kinematics.forward import Forward
-from kinsym.kinematics.jacobian import Jacobian
-from kinsym.robot.model import Robot
 from kinsym.robot.summary import digest, table_lines
 
 
-def build_schedule(robot: Robot, chain: Chain, forward: Forward, jacobian: Jacobian, plan: Plan) -> Schedule:
+def build_schedule(derivation: Derivation) -> Schedule:
     """Everything a generated module computes."""
+    robot, chain, plan = derivation.robot, derivation.chain, derivation.plan
     levels = _Levels()
     for item in plan.items:
         levels.place(item)
@@ -35,9 +32,9 @@ def build_schedule(robot: Robot, chain: Chain, forward: Forward, jacobian: Jacob
         digest=digest(robot),
         joints=tuple(JointName(name=joint.variable, kind=joint.kind) for joint in chain.joints),
         parameters=tuple(Parameter(name=name, value=value) for name, value in robot.parameters.items()),
-        constants=tuple(Definition(name=n, value=tree_of(e)) for n, e in chain.constants.formulas()),
+        constants=derivation.constants,
         forward=forward_line(chain),
-        jacobian=jacobian_line(chain, jacobian),
+        jacobian=jacobian_line(chain, derivation.jacobian),
         inverse=levels.statements(),
         solution=tuple(value.variable for value in plan.values),
         depth=levels.depth,

@@ -6,8 +6,6 @@ The checks are tested on it, so that a fault of the derivation cannot hide a fau
 from __future__ import annotations
 
 from fractions import Fraction
-from types import SimpleNamespace
-from typing import Any
 
 import sympy
 
@@ -125,11 +123,6 @@ def schedule() -> Schedule:
         size=add(l1, l2),
         tau=Fraction(1, 2**46),
     )
-
-
-def derivation() -> Any:
-    """As much of a derivation as the checks read."""
-    return SimpleNamespace(robot=robot(), schedule=schedule())
 
 
 MODULE = """

@@ -13,13 +13,13 @@ from tests.check import hand
 
 def failures(module: str) -> set[str]:
     """The laws that a module by hand breaks."""
-    findings = compare(hand.derivation(), {"hand_rr.py": module})
+    findings = compare(hand.robot(), hand.schedule(), {"hand_rr.py": module})
     return {check.law for check in findings.checks if check.status == FAILED}
 
 
 def test_the_module_passes() -> None:
     """More than a thousand poses of every kind, two solutions at random poses."""
-    findings = compare(hand.derivation(), {"hand_rr.py": hand.MODULE})
+    findings = compare(hand.robot(), hand.schedule(), {"hand_rr.py": hand.MODULE})
     assert [check for check in findings.checks if check.status == FAILED] == []
     assert findings.figures["poses"] >= 1000
     assert all(findings.figures["poses_by_kind"].values())

@@ -13,13 +13,14 @@ from kinsym.check.singular import volume_of
 from kinsym.check.solvers import Floats, TreeKinematics
 from kinsym.check.task import task_jacobian
 from kinsym.derivation import Derivation, derive
+from kinsym.emit.program import build_schedule
 from kinsym.robot import load
 
 
 def judge_of(name: str) -> tuple[Derivation, Judge]:
     """The judge of a robot of the gallery, lengths without a value set to 1/2, 3/4, 1 ..."""
     derivation = derive(load(name))
-    schedule = derivation.schedule
+    schedule = build_schedule(derivation)
     given = {p.name: p.value or Fraction(index + 2, 4) for index, p in enumerate(schedule.parameters)}
     revolute = np.array([joint.kind == "R" for joint in schedule.joints])
     return derivation, Judge(TreeKinematics(schedule, given), schedule.task, revolute, float(schedule.tau))
@@ -58,8 +59,8 @@ def test_a_curved_way_is_found() -> None:
     from kinsym.check.solvers import ExactSolver
 
     exact = ExactSolver(
-        derivation.schedule,
-        {p.name: p.value or Fraction(i + 2, 4) for i, p in enumerate(derivation.schedule.parameters)},
+        build_schedule(derivation),
+        {p.name: p.value or Fraction(i + 2, 4) for i, p in enumerate(build_schedule(derivation).parameters)},
     )
     elsewhere, count = exact.inverse(pose, np.zeros((1, 6)))
     assert count[0] > 0
@@ -71,7 +72,7 @@ def test_a_curved_way_is_found() -> None:
 def test_samples_lie_where_they_are_said_to(name: str) -> None:
     """Singular samples lose volume in proportion to their offset; the same seed gives the same samples."""
     derivation, judge = judge_of(name)
-    schedule, size = derivation.schedule, judge.kinematics.size
+    schedule, size = build_schedule(derivation), judge.kinematics.size
 
     def volume(q: Floats) -> Floats:
         pose = judge.kinematics.forward(q)

@@ -144,7 +144,7 @@ def _derivation(
         forward=SimpleNamespace(links=links, pose=pose),
         jacobian=jacobian,
         plan=plan,
-        schedule=SimpleNamespace(constants=()),
+        constants=(),
     )
 
 

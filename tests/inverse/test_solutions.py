@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from kinsym.emit import TARGETS
+from kinsym.emit.program import build_schedule
 from kinsym.robot.model import Task
 from tests.arms import NAMES, derivation
 
@@ -29,7 +30,7 @@ ENTRIES = {
 def solver(name: str) -> Any:
     """The generated NumPy module of an arm, without files."""
     module = types.ModuleType(name)
-    (source,) = TARGETS["numpy"](derivation(name).schedule).values()
+    (source,) = TARGETS["numpy"](build_schedule(derivation(name))).values()
     exec(compile(source, f"{name}.py", "exec"), module.__dict__)
     return module
 

@@ -188,7 +188,7 @@ def document(derivation: Derivation) -> str:
         "table_rows": [] if table_fits(table, SMALL) else _listed(table),
         "parameters": writer.parameters(),
         "small": any(len(name) > _LONGEST_NAME for name in robot.parameters),
-        "constants": writer.definitions(derivation.schedule.constants),
+        "constants": writer.definitions(derivation.constants),
         "home": writer.home(),
         "fixed": writer.fixed(),
         "turns": writer.turns(),

@@ -20,7 +20,7 @@ def all_names(derivation: Derivation) -> Iterator[str]:
     yield from robot.parameters
     trees: list[Tree] = [entry for row in derivation.forward.pose for entry in row]
     trees += [entry for row in derivation.jacobian.entries for entry in row]
-    definitions = [*derivation.schedule.constants, *derivation.jacobian.definitions]
+    definitions = [*derivation.constants, *derivation.jacobian.definitions]
     for item in plan.items:
         match item:
             case Window():

@@ -95,7 +95,7 @@ def notation(derivation: Derivation, page: Page | None = None) -> str:
         lines = [f"  {pair}" for pair in pairs]
     for angle, total in angle_sums(derivation):
         lines.append(page.equation(angle.name, f"{page.formula(total)}, {angle.cosine} = cos({angle.name})"))
-    lines += [page.equation(item.name, item.value) for item in derivation.schedule.constants]
+    lines += [page.equation(item.name, item.value) for item in derivation.constants]
     lines.append("  Atan2(y, x) is the angle of the point (x, y)")
     return "\n".join(lines)
 
