@@ -33,10 +33,10 @@ def check_place(folder: Path, names: Iterable[str]) -> None:
             parent = next((above for above in folder.absolute().parents if above.exists()), Path("/"))
             if not parent.is_dir():
                 raise OutputError(f"{parent} is a file, so {folder} cannot be made. Choose another with --output.")
-            if not os.access(parent, os.W_OK | os.X_OK):
+            if not _writable(parent):
                 raise OutputError(f"{parent} does not allow writing. Choose another folder with --output.")
             return
-        if not os.access(folder, os.W_OK | os.X_OK):
+        if not _writable(folder):
             raise OutputError(f"{folder} does not allow writing. Choose another folder with --output.")
         for name in names:
             if (folder / name).is_dir():
@@ -105,6 +105,10 @@ def _move(new: Path, old: Path, folder: Path, names: list[str]) -> None:
             else:
                 (folder / name).unlink()
         raise
+
+
+def _writable(folder: Path) -> bool:
+    return os.access(folder, os.W_OK | os.X_OK, effective_ids=os.access in os.supports_effective_ids)
 
 
 def _reason(error: OSError) -> str:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -10,6 +12,7 @@ import pytest
 from kinsym.errors import OutputError
 from kinsym.write import check_place, write_set
 
+NOBODY = 65534
 FILES = {"a.py": "one\n", "a.c": "two\n"}
 
 
@@ -87,16 +90,25 @@ def test_names_are_not_paths(tmp_path: Path, name: str) -> None:
         check_place(tmp_path, [name])
 
 
-@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
-def test_unwritable(tmp_path: Path) -> None:
+@pytest.fixture
+def guarded() -> Iterator[Path]:
+    """A folder that its user may not write into; root, who may write anywhere, becomes nobody for the test."""
+    folder, user = Path(tempfile.mkdtemp()), os.geteuid()
+    if user == 0:
+        os.chown(folder, NOBODY, NOBODY)
+        os.seteuid(NOBODY)
+    folder.chmod(0o500)
+    yield folder
+    os.seteuid(user)
+    folder.rmdir()
+
+
+def test_unwritable(guarded: Path) -> None:
     """A folder without permission, and one that cannot be made."""
-    tmp_path.chmod(0o500)
-    try:
-        for folder in (tmp_path, tmp_path / "x"):
-            with pytest.raises(OutputError, match="does not allow writing"):
-                write_set(folder, FILES)
-    finally:
-        tmp_path.chmod(0o700)
+    for folder in (guarded, guarded / "x"):
+        with pytest.raises(OutputError, match="does not allow writing"):
+            write_set(folder, FILES)
+    assert os.listdir(guarded) == []
 
 
 def test_a_place_that_is_no_path(tmp_path: Path) -> None:

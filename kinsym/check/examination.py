@@ -13,13 +13,13 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from kinsym.check.laws import CLOSURE, COPY, FORWARD, SAME, Judge, malformed, outward
+from kinsym.check.laws import CLOSURE, COPY, FORWARD, PATH, SAME, Judge, malformed, outward
 from kinsym.check.ledger import Ledger
 from kinsym.check.poses import KINDS, PAIR, UNIFORM, Counts, generator, samples
 from kinsym.check.singular import volume_of
 from kinsym.check.solvers import ExactSolver, Floats, NumpySolver, Solutions, Solver, TreeKinematics
 from kinsym.check.table import TableKinematics
-from kinsym.check.task import task_jacobian
+from kinsym.check.task import sifted, task_jacobian
 from kinsym.emit.schedule import Schedule
 from kinsym.robot.model import Robot, Task
 
@@ -82,7 +82,9 @@ class Examination:
         self.kinematics = TreeKinematics(schedule, parameters)
         self.exact = ExactSolver(schedule, parameters)
         revolute = np.array([joint.kind == "R" for joint in schedule.joints])
-        self.judge = Judge(self.kinematics, schedule.task, revolute, float(schedule.tau))
+        self.judge = Judge(
+            self.kinematics, schedule.task, revolute, float(schedule.tau), CLOSURE if sifted(schedule) else PATH
+        )
         self.samples = samples(schedule.joints, self._volume, self.kinematics.size, counts, self.rng)
         self.q = self.samples.q
         self.poses = self.exact.forward(self.q)
@@ -106,7 +108,8 @@ class Examination:
                 self._inverse(target, answer, every)
                 self._refusals(target)
                 self._unreachable(target)
-                self._noise(target, noisy)
+                if not sifted(self.schedule):
+                    self._noise(target, noisy)
                 if isinstance(target, NumpySolver):
                     self._single(target, some[:SINGLE_POSES])
             except Exception as error:  # generated code that was edited may raise anything

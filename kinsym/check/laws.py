@@ -38,6 +38,8 @@ class Judge:
     task: Task
     revolute: Mask
     tau: float
+    #: Closure allowed on a way; wider where a task has more equations than joints, which then cannot all be met.
+    path: float = PATH
 
     def closures(self, q: Floats, poses: Floats) -> Floats:
         """(m, S, n) solutions of (m, 4, 4) poses to their closure (m, S); NaN where there is none."""
@@ -51,7 +53,7 @@ class Judge:
         Straight lines are tried first. With ``one_is_enough`` the search for curves is left out in rows that have
         a straight line.
         """
-        limit = PATH + 4 * self.tau
+        limit = self.path + 4 * self.tau
         with np.errstate(invalid="ignore"):
             way = wrapped(end - start, self.revolute)
             steps = np.stack([self.closures(start + t * way, poses) for t in POINTS])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from kinsym.emit.schedule import Schedule
 from kinsym.robot.model import Task
 
 Floats = NDArray[np.float64]
@@ -56,3 +57,11 @@ def task_jacobian(jacobian: Floats, pose: Floats, task: Task, size: float) -> Fl
     turned = {j: np.cross(angular, pose[..., :3, j, None], axisa=-2, axisb=-2, axisc=-2) for j in range(POSITION)}
     rows = [linear[..., i, :] if j == POSITION else turned[j][..., i, :] for i, j in ENTRIES[task]]
     return np.stack(rows, axis=-2)
+
+
+def sifted(schedule: Schedule) -> bool:
+    """Whether the task has more equations than the arm has joints: its poses are met only as well as they are known.
+
+    Poses of planar and SCARA arms are sifted as well, but their equations are as many as their joints.
+    """
+    return schedule.gate and schedule.task not in (Task.PLANAR, Task.SCARA)

@@ -14,7 +14,7 @@ from typing import ClassVar
 from kinsym.algebra.tree import Call, Num, Pi, PlusMinus, Pow, Prod, Quot, Sum, Sym, Tree
 from kinsym.errors import KinsymError
 
-_SUM, _PRODUCT, _ATOM = 1, 2, 3
+SUM, PRODUCT, ATOM = 1, 2, 3
 
 
 def decimal(value: Fraction) -> str:
@@ -76,7 +76,7 @@ class Printer:
 
     def _signed(self, tree: Tree) -> str:
         minus, body = split_sign(tree)
-        return "-" + self._within(body, _PRODUCT) if minus else self._within(body, _SUM)
+        return "-" + self._within(body, PRODUCT) if minus else self._within(body, SUM)
 
     def _within(self, body: Tree, least: int) -> str:
         """A tree without a sign of its own, in parentheses if it binds weaker than ``least``."""
@@ -86,21 +86,21 @@ class Printer:
     def _unsigned(self, body: Tree) -> tuple[str, int]:
         match body:
             case Num(value):
-                return decimal(value), _ATOM
+                return decimal(value), ATOM
             case Sym(name):
-                return name, _ATOM
+                return name, ATOM
             case Pi():
-                return self.pi, _ATOM
+                return self.pi, ATOM
             case Call(function, arguments):
-                return f"{self.functions[function]}({', '.join(map(self._signed, arguments))})", _ATOM
+                return f"{self.functions[function]}({', '.join(map(self._signed, arguments))})", ATOM
             case Sum(terms):
-                return self._sum(terms), _SUM
+                return self._sum(terms), SUM
             case Prod(factors):
-                return " * ".join(self._within(factor, _PRODUCT) for factor in factors), _PRODUCT
+                return " * ".join(self._within(factor, PRODUCT) for factor in factors), PRODUCT
             case Pow(base, exponent):
-                return " * ".join([self._within(base, _PRODUCT)] * exponent), _PRODUCT
+                return " * ".join([self._within(base, PRODUCT)] * exponent), PRODUCT
             case Quot(numerator, denominator):
-                return f"{self._within(numerator, _PRODUCT)} / {self._within(denominator, _ATOM)}", _PRODUCT
+                return f"{self._within(numerator, PRODUCT)} / {self._within(denominator, ATOM)}", PRODUCT
             case PlusMinus():
                 raise TypeError("a formula with two signs is for readers; code has branches")
 
@@ -113,7 +113,7 @@ class Printer:
                 inner = self._sum(body.terms)
                 text += inner if not text else f" - {inner[1:]}" if inner.startswith("-") else f" + {inner}"
             elif text:
-                text += f" {'-' if minus else '+'} {self._within(body, _PRODUCT)}"
+                text += f" {'-' if minus else '+'} {self._within(body, PRODUCT)}"
             else:
-                text = f"{'-' if minus else ''}{self._within(body, _PRODUCT)}"
+                text = f"{'-' if minus else ''}{self._within(body, PRODUCT)}"
         return text

@@ -10,19 +10,13 @@ from kinsym.algebra.tree import Call, Definition, Num, Sym, Tree, add, mul, nega
 from kinsym.inverse.knowledge import Knowledge
 from kinsym.inverse.plan import Item, JointValue, Plan, Step, Window
 from kinsym.inverse.rules.base import edge
+from kinsym.inverse.state import FIXED
 from kinsym.kinematics.angles import Angle
 from kinsym.kinematics.chain import Chain
 from kinsym.robot.model import Task
 
-EQUATIONS = {
-    Task.POSE: 6,
-    Task.POSITION: 3,
-    Task.ORIENTATION: 3,
-    Task.PLANAR: 2,
-    Task.SCARA: 3,
-    Task.POSITION_AXIS: 5,
-}
-"""How many joints meet a task without a pose left over; planar and SCARA poses must lie in their plane."""
+IN_A_PLANE = (Task.PLANAR, Task.SCARA)
+"""Tasks whose pose must lie in the plane of the arm, which their equations do not state."""
 
 
 def assemble(chain: Chain, task: Task, items: tuple[Item, ...]) -> Plan:
@@ -39,7 +33,7 @@ def assemble(chain: Chain, task: Task, items: tuple[Item, ...]) -> Plan:
         items=items,
         values=values,
         maximum=maximum,
-        gate=len(chain.joints) < EQUATIONS[task] or task in (Task.PLANAR, Task.SCARA),
+        gate=len(chain.joints) < FIXED[task] or task in IN_A_PLANE,
         size=_size(chain),
     )
 

@@ -35,6 +35,17 @@ COLUMNS = {
 """The columns of the pose that a task gives."""
 
 
+FIXED = {
+    Task.POSE: 6,
+    Task.POSITION: 3,
+    Task.ORIENTATION: 3,
+    Task.PLANAR: 3,
+    Task.SCARA: 4,
+    Task.POSITION_AXIS: 5,
+}
+"""How many joints a task fixes."""
+
+
 @dataclass(frozen=True)
 class State:
     """The remaining arm: groups ``first`` to ``end`` (exclusive), and the names of the pose entries."""
@@ -55,6 +66,11 @@ class State:
     def oriented(self) -> bool:
         """Whether the whole orientation is given, so that links at the tip can be moved to the other side."""
         return "uvw" in self.columns
+
+    @property
+    def overdetermined(self) -> bool:
+        """Whether the task states more equations than the arm has joints, so that solutions are sifted at the end."""
+        return len(self.chain.joints) < FIXED[self.task]
 
     @cached_property
     def groups(self) -> tuple[Group, ...]:

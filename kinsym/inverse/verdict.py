@@ -11,20 +11,9 @@ from dataclasses import dataclass
 from sympy import Expr
 
 from kinsym.errors import RobotError
-from kinsym.inverse.state import State
+from kinsym.inverse.state import FIXED, State
 from kinsym.kinematics.convert import paul_rows
 from kinsym.kinematics.tasks import mobility
-from kinsym.robot.model import Task
-
-FIXED = {
-    Task.POSE: 6,
-    Task.POSITION: 3,
-    Task.ORIENTATION: 3,
-    Task.PLANAR: 3,
-    Task.SCARA: 4,
-    Task.POSITION_AXIS: 5,
-}
-"""How many joints a task can fix."""
 
 
 @dataclass(frozen=True)

@@ -224,7 +224,7 @@ def fanuc(title: str = "Fanuc S-900W") -> Any:
             "theta1",
             "homogeneous",
             _equations("row z, column p of A1^-1 T_0_6 = A2 A3 A4 A5 A6", "p06_x*s1 - p06_y*c1 = 0"),
-            {"theta1": "atan2(p06_y, p06_x) @ half_turn(pi)"},
+            {"theta1": "atan2(p06_y, p06_x)"},
             branches=2,
             degenerate="p06_x**2 + p06_y**2 ; = ; 0",
             why="one equation in theta1 alone: the wrist point lies in the plane of links 2 and 3",

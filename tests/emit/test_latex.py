@@ -73,7 +73,6 @@ SAMPLES = {
             "c1*(c2*(c4*c5*c6 - s4*s6) - s2*s5*c6)",
             r"c_{1} \bigl[c_{2} (c_{4} c_{5} c_{6} - s_{4} s_{6}) - s_{2} s_{5} c_{6}\bigr]",
         ),
-        ("atan2(p_y, p_x) @ half_turn(pi)", r"\operatorname{Atan2}(p_{y}, p_{x}) + (0 \text{ or } \pi)"),
         ("0 @ atan2(s5, c5)", r"\pm \operatorname{Atan2}(s_{5}, c_{5})"),
         ("sqrt(1 - w36_z**2)", r"\sqrt{1 - {}^{3}w_{6,z}^{2}}"),
         ("c1*p16_x", r"c_{1} \, {}^{1}p_{6,x}"),

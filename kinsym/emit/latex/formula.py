@@ -10,7 +10,7 @@ from typing import ClassVar
 from kinsym.algebra.tree import Call, Num, Pi, PlusMinus, Pow, Prod, Quot, Sum, Sym, Tree, children
 from kinsym.emit.latex.measure import width
 from kinsym.emit.latex.names import Names
-from kinsym.emit.printer import _ATOM, _PRODUCT, _SUM
+from kinsym.emit.printer import ATOM, PRODUCT, SUM
 from kinsym.emit.prose.wording import as_fraction, decimal
 from kinsym.emit.text.formula import ReaderPrinter
 
@@ -54,7 +54,6 @@ class LatexPrinter(ReaderPrinter):
     functions: ClassVar[Mapping[str, str]] = {"atan2": "Atan2", "sign": "sgn"}
     pi = r"\pi"
     plus_minus = r"\pm"
-    half_turn = r"(0 \text{ or } \pi)"
 
     def __init__(self, names: Names) -> None:
         self._names = names
@@ -69,26 +68,26 @@ class LatexPrinter(ReaderPrinter):
     def _unsigned(self, body: Tree) -> tuple[str, int]:
         match body:
             case Sym(name):
-                return self._names[name], _ATOM
+                return self._names[name], ATOM
             case Num(value) if value.denominator != 1 and as_fraction(value):
-                return f"\\tfrac{{{value.numerator}}}{{{value.denominator}}}", _ATOM
+                return f"\\tfrac{{{value.numerator}}}{{{value.denominator}}}", ATOM
             case Num(value):
-                return decimal(value), _ATOM
+                return decimal(value), ATOM
             case Call(function, arguments):
-                return self._call(function, arguments), _ATOM
+                return self._call(function, arguments), ATOM
             case Pow(base, exponent):
-                text = self._within(base, _ATOM)
+                text = self._within(base, ATOM)
                 if isinstance(base, (Quot, Call, Pow)):
                     text = bracketed(text)
-                return f"{text}^{{{exponent}}}", _ATOM
+                return f"{text}^{{{exponent}}}", ATOM
             case Quot(numerator, denominator):
                 return self._quotient(numerator, denominator)
             case Prod(factors):
-                return self._product(factors), _PRODUCT
+                return self._product(factors), PRODUCT
             case PlusMinus(left, right):
-                return self._either(left, right), _SUM
+                return self._either(left, right), SUM
             case Pi():
-                return self.pi, _ATOM
+                return self.pi, ATOM
             case _:
                 return super()._unsigned(body)
 
@@ -96,7 +95,7 @@ class LatexPrinter(ReaderPrinter):
         match factors:
             case (Num(value), Pi()) if value.denominator != 1:
                 return f"{'' if value.numerator == 1 else value.numerator}\\pi/{value.denominator}"
-        parts = [self._within(factor, _ATOM) for factor in factors]
+        parts = [self._within(factor, ATOM) for factor in factors]
         text = parts[0]
         for before, part in pairwise(parts):
             if before[-1].isdigit() and part[0].isdigit():
@@ -111,10 +110,10 @@ class LatexPrinter(ReaderPrinter):
     def _quotient(self, numerator: Tree, denominator: Tree) -> tuple[str, int]:
         upper, lower = self._signed(numerator), self._signed(denominator)
         if Pi() in (numerator, *children(numerator)) and isinstance(denominator, Num):
-            return f"{upper}/{lower}", _PRODUCT
+            return f"{upper}/{lower}", PRODUCT
         if max(width(upper), width(lower)) <= _WIDEST_SOLID:
-            return f"\\frac{{{upper}}}{{{lower}}}", _ATOM
-        return f"{self._within(numerator, _PRODUCT)} / {self._within(denominator, _ATOM)}", _PRODUCT
+            return f"\\frac{{{upper}}}{{{lower}}}", ATOM
+        return f"{self._within(numerator, PRODUCT)} / {self._within(denominator, ATOM)}", PRODUCT
 
     def _call(self, function: str, arguments: tuple[Tree, ...]) -> str:
         if function == "hypot":

@@ -11,7 +11,7 @@ from fractions import Fraction
 from typing import ClassVar
 
 from kinsym.algebra.tree import Call, Num, Pi, PlusMinus, Pow, Prod, Quot, Sum, Tree
-from kinsym.emit.printer import _ATOM, _PRODUCT, _SUM, Printer, split_sign
+from kinsym.emit.printer import ATOM, PRODUCT, SUM, Printer, split_sign
 from kinsym.emit.prose.wording import as_fraction, decimal
 
 
@@ -19,7 +19,6 @@ class ReaderPrinter(Printer):
     """What the printers for readers share: exact numbers, powers, and the sign ± inside sums."""
 
     plus_minus = "±"
-    half_turn = "(0 or pi)"
 
     def _sum(self, terms: tuple[Tree, ...]) -> str:
         text = ""
@@ -29,15 +28,13 @@ class ReaderPrinter(Printer):
                 sign, body = self.plus_minus, body.right
             else:
                 sign = "-" if minus else "+" if text else ""
-            part = self._within(body, _PRODUCT)
+            part = self._within(body, PRODUCT)
             text += f" {sign} {part}" if text else f"{sign}{part}"
         return text
 
     def _either(self, left: Tree | None, right: Tree) -> str:
-        """``left ± right``; zero on the left is not written. A half turn is added or not, never subtracted."""
-        if isinstance(right, Call) and right.function == "half_turn" and left is not None:
-            return f"{self._signed(left)} + {self.half_turn}"
-        part = self._within(right, _PRODUCT)
+        """``left ± right``; zero on the left is not written."""
+        part = self._within(right, PRODUCT)
         if left is None or (isinstance(left, Num) and left.value == 0):
             return f"{self.plus_minus}{part}"
         return f"{self._signed(left)} {self.plus_minus} {part}"
@@ -60,29 +57,29 @@ class TextPrinter(ReaderPrinter):
     def _unsigned(self, body: Tree) -> tuple[str, int]:
         match body:
             case Num(value) if value.denominator != 1 and as_fraction(value):
-                return f"{value.numerator}/{value.denominator}", _PRODUCT
+                return f"{value.numerator}/{value.denominator}", PRODUCT
             case Num(value):
-                return decimal(value), _ATOM
+                return decimal(value), ATOM
             case Call("hypot", (x, y)):
                 return self._unsigned(Call("sqrt", (Sum((Pow(x, 2), Pow(y, 2))),)))
             case Call(function, arguments):
-                return f"{self.functions.get(function, function)}({', '.join(map(self._signed, arguments))})", _ATOM
+                return f"{self.functions.get(function, function)}({', '.join(map(self._signed, arguments))})", ATOM
             case Pow(base, exponent):
-                return f"{self._within(base, _ATOM)}^{exponent}", _ATOM
+                return f"{self._within(base, ATOM)}^{exponent}", ATOM
             case Quot(numerator, denominator):
-                return f"{self._within(numerator, _PRODUCT)}/{self._within(denominator, _ATOM)}", _PRODUCT
+                return f"{self._within(numerator, PRODUCT)}/{self._within(denominator, ATOM)}", PRODUCT
             case Prod((Num(value), *rest)) if value.denominator != 1 and as_fraction(value):
-                return self._fraction(value, rest), _PRODUCT
+                return self._fraction(value, rest), PRODUCT
             case Prod(factors):
-                return "*".join(self._within(factor, _ATOM) for factor in factors), _PRODUCT
+                return "*".join(self._within(factor, ATOM) for factor in factors), PRODUCT
             case PlusMinus(left, right):
-                return self._either(left, right), _SUM
+                return self._either(left, right), SUM
             case Pi():
-                return self.pi, _ATOM
+                return self.pi, ATOM
             case _:
                 return super()._unsigned(body)
 
     def _fraction(self, value: Fraction, rest: Sequence[Tree]) -> str:
         """A fraction before a product: ``3*a*b/2``."""
         front = [] if value.numerator == 1 else [str(value.numerator)]
-        return "*".join([*front, *(self._within(factor, _ATOM) for factor in rest)]) + f"/{value.denominator}"
+        return "*".join([*front, *(self._within(factor, ATOM) for factor in rest)]) + f"/{value.denominator}"

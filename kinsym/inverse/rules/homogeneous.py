@@ -48,7 +48,7 @@ def _independent(state: State, first: LinearForm, second: LinearForm) -> bool:
     """Whether two statements of an angle differ for poses that the arm cannot make."""
     ring = state.chain.ring
     difference = ring.mul(first.a, second.b) - ring.mul(first.b, second.a)
-    if not difference or len(state.chain.joints) >= 6 or not state.oriented:
+    if not difference or not state.overdetermined or not state.oriented:
         return False
     generator = random.Random("poses")
     values = {**state.samples[0], **{entry: generator.randrange(PRIME) for entry in POSE_ENTRIES}}

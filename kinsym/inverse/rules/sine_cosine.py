@@ -31,8 +31,9 @@ TITLES = {
     "direct": "cosine and sine given directly",
     "quotient": "cosine and sine from two linear equations",
 }
-DIRECT_COST, ROTATION_COST, QUOTIENT_COST = 0, 15, 18
-"""A pair a c + b s, -b c + a s has the determinant a^2 + b^2, which vanishes least."""
+DIRECT_COST, ROTATION_COST, QUOTIENT_COST, SPARE_COST = 0, 15, 18, 29
+"""A pair a c + b s, -b c + a s has the determinant a^2 + b^2, which vanishes least. Where equations are to spare, other
+pairs give way to rules that branch: what they use a second time, the final sifting needs once."""
 WIDEST = 14
 """How many of the shortest equations of an angle are paired."""
 
@@ -54,8 +55,15 @@ def candidates(view: View) -> Iterator[Candidate]:
                 build = partial(_direct, state, first, second, determinant)
             else:
                 build = partial(_quotient, state, first, second)
-            cost = DIRECT_COST if build.func is _direct else ROTATION_COST if _turned(first, second) else QUOTIENT_COST
-            yield Candidate(cost, terms, first.angle.name, build)
+            yield Candidate(_cost(state, first, second, build.func is _direct), terms, first.angle.name, build)
+
+
+def _cost(state: State, first: LinearForm, second: LinearForm, direct: bool) -> int:
+    if direct:
+        return DIRECT_COST
+    if _turned(first, second):
+        return ROTATION_COST
+    return SPARE_COST if state.overdetermined else QUOTIENT_COST
 
 
 def _turned(first: LinearForm, second: LinearForm) -> bool:
