@@ -126,33 +126,45 @@ def quadratic(ctx: Any, given: Inputs, free: Value) -> list[Root]:
 def quartic(ctx: Any, given: Inputs, free: Value) -> list[Root]:
     """|(X, Y)| = |(K, L)| for four lines p c + q s + r: the roots in increasing angle, those that meet as one.
 
-    In u = tan((angle - turn)/2) the difference of the squares is a polynomial whose leading coefficient is its value
-    at turn + pi.
+    It is stated twice; roots meet if they do so for the lengths in both. In u = tan((angle - turn)/2) the
+    difference of the squares is a polynomial whose leading coefficient is its value at turn + pi.
     """
     t = given["t"]
-    lines = [[given[name + end] for end in ("c", "s", "")] for name in "xykl"]
+    lines, others = ([[given[name + end + form] for end in ("c", "s", "")] for name in "xykl"] for form in ("", "2"))
     signs = (1, 1, -1, -1)
 
-    def difference(c: Value, s: Value) -> Value:
-        return sum(sign * (p * c + q * s + r) ** 2 for sign, (p, q, r) in zip(signs, lines, strict=True))
+    def difference(form: Sequence[Sequence[Value]], point: Root) -> Value:
+        c, s = point
+        return sum(sign * (p * c + q * s + r) ** 2 for sign, (p, q, r) in zip(signs, form, strict=True))
 
     around = [_angle(ctx, k * ctx.pi / 4) for k in range(8)]
     longest = sum(abs(value) for line in lines[2:] for value in line)
-    if max(abs(difference(*point)) for point in around) <= t * (2 * longest + t):
+    if max(abs(difference(lines, point)) for point in around) <= t * (2 * longest + t):
         return [_angle(ctx, free)]
-    opposite = max(around, key=lambda point: abs(difference(*point)))
+    opposite = max(around, key=lambda point: abs(difference(lines, point)))
     x, y = -opposite[0], -opposite[1]
-    turned = [(r + p * x + q * y, 2 * (q * x - p * y), r - p * x - q * y) for p, q, r in lines]
+    forms = [(t, lines, abs(difference(lines, opposite)))]
+    second, longest = abs(difference(others, opposite)), sum(abs(value) for line in others[2:] for value in line)
+    if second > given["t2"] * (2 * longest + given["t2"]):
+        forms.append((given["t2"], others, second))
+
+    def by_half_angle(form: Sequence[Sequence[Value]]) -> list[tuple[Value, ...]]:
+        return [(r + p * x + q * y, 2 * (q * x - p * y), r - p * x - q * y) for p, q, r in form]
+
     polynomial = [ctx.mpf(0)] * 5
-    for sign, line in zip(signs, turned, strict=True):
+    for sign, line in zip(signs, by_half_angle(lines), strict=True):
         for i, left in enumerate(line):
             for j, right in enumerate(line):
                 polynomial[i + j] += sign * left * right
 
     def touch(u: Value) -> bool:
-        width = t * (1 + u * u)
-        reach = ctx.sqrt(sum(_horner(line, u) ** 2 for line in turned[2:]))
-        return bool(abs(_horner(polynomial, u)) <= width * (2 * reach + width))
+        value = abs(_horner(polynomial, u) / polynomial[-1])
+        for tolerance, form, lead in forms:
+            width = tolerance * (1 + u * u)
+            reach = ctx.sqrt(sum(_horner(line, u) ** 2 for line in by_half_angle(form)[2:]))
+            if value * lead > width * (2 * reach + width):
+                return False
+        return True
 
     knots = _real_roots(ctx, [k * coefficient for k, coefficient in enumerate(polynomial)][1:])
     touching = [touch(u) for u in knots]

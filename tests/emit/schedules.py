@@ -275,6 +275,10 @@ def every_kernel() -> Schedule:
                 **dict(zip(("xc", "xs", "x", "yc", "ys", "y"), ("p_x", "0", "a", "p_y", "b", "d5"), strict=True)),
                 **dict(zip(("kc", "ks", "k", "lc", "ls", "l"), ("1", "p_z", "0", "w_x", "0", "0"), strict=True)),
                 t="tau*size",
+                **{
+                    f"{name}2": "1"
+                    for name in ("xc", "xs", "x", "yc", "ys", "y", "kc", "ks", "k", "lc", "ls", "l", "t")
+                },
             ),
             solve(6, "quotient", "c6 s6", 1, reference, x="p_x", y="p_y", d="d5", t="tau"),
             solve(6, "quotient_length", "d7", 1, "d3", n="p_x", d="p_y", t="tau"),

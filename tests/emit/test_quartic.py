@@ -14,7 +14,7 @@ from kinsym.emit.source.kernels import KERNELS
 from tests.emit.built import needs_compiler
 from tests.emit.test_kernels import FREE, REFERENCE, Roots, T, in_c, in_numpy
 
-NAMES = KERNELS["quartic"].inputs[:-1]
+NAMES = KERNELS["quartic"].inputs[:12]
 ONE, COSINE, SINE = (0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
 NOTHING = (0.0, 0.0, 0.0)
 Line = tuple[float, float, float]
@@ -22,15 +22,21 @@ Lines = tuple[Line, Line, Line, Line]
 Kernel = Callable[[Lines], Roots]
 
 
+def inputs(lines: Lines, again: Lines | None = None) -> dict[str, float]:
+    """The arguments of the kernel; the second statement is the first if there is no other."""
+    values, others = (np.ravel(part).tolist() for part in (lines, again or lines))
+    named = zip((*NAMES, *(f"{name}2" for name in NAMES)), [*values, *others], strict=True)
+    return {**dict(named), "t": T, "t2": T}
+
+
 def _exactly(lines: Lines) -> Roots:
     ctx, _ = exact()
-    given = {name: ctx.mpf(value) for name, value in zip(NAMES, np.ravel(lines).tolist(), strict=True)}
-    roots = EXACT["quartic"](ctx, {**given, "t": ctx.mpf(T)}, ctx.mpf(REFERENCE))
+    roots = EXACT["quartic"](ctx, {name: ctx.mpf(value) for name, value in inputs(lines).items()}, ctx.mpf(REFERENCE))
     return [(float(c), float(s)) for c, s in roots]
 
 
 def _with(function: Callable[..., Roots]) -> Kernel:
-    return lambda lines: function("quartic", t=T, **dict(zip(NAMES, np.ravel(lines).tolist(), strict=True)))
+    return lambda lines: function("quartic", **inputs(lines))
 
 
 @pytest.fixture(
@@ -154,3 +160,24 @@ def test_against_eigenvalues(kernel: Kernel) -> None:
         assert angles(kernel(lines)) == pytest.approx(wanted, abs=1e-7)
         counts.add(len(wanted))
     assert counts == {0, 2, 4}
+
+
+@pytest.mark.parametrize("language", [pytest.param(in_c, id="c", marks=needs_compiler), in_numpy])
+@pytest.mark.parametrize("factor", [1.0, -7.0])
+def test_the_statement_with_short_vectors_decides(language: Callable[..., Roots], factor: float) -> None:
+    """small^2 - sin^2 as (1 - sin^2) - (1 - small^2), which has lost small^2, and as it stands, times a constant."""
+    small = 1e-9
+    long = (COSINE, NOTHING, line(math.sqrt(1.0 - small * small), ONE), NOTHING)
+    size = math.sqrt(abs(factor))
+    short = (line(size * small, ONE), NOTHING, line(size, SINE), NOTHING)
+    again = short if factor > 0 else (short[2], short[3], short[0], short[1])
+    for one, two in ((long, again), (again, long)):
+        found = sorted(angles(language("quartic", **inputs(one, two))))
+        assert found == pytest.approx([small - math.pi, -small, small, math.pi - small], abs=1e-15)
+
+
+@pytest.mark.parametrize("language", [pytest.param(in_c, id="c", marks=needs_compiler), in_numpy])
+def test_a_second_statement_that_says_nothing_is_left_out(language: Callable[..., Roots]) -> None:
+    nothing = (COSINE, SINE, ONE, NOTHING)
+    lines = (line(1.0, COSINE, 0.2), NOTHING, line(0.5, ONE), NOTHING)
+    assert language("quartic", **inputs(lines, nothing)) == language("quartic", **inputs(lines))

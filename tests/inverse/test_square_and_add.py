@@ -25,11 +25,12 @@ def test_pieper_eliminates_theta2_first(name: str) -> None:
     assert rules(plan)[:3] == [("theta3", "quartic", 4), ("theta2", "quotient", 1), ("theta1", "quotient", 1)]
     assert [step.unknown for step in plan.steps[3:]] == ["theta4", "theta5", "theta6"]
     assert plan.maximum == 8
-    r, z = plan.steps[0].equations
+    r, z, *again = plan.steps[0].equations
     assert (r.source, z.source) == (
         "square of column p of T_0_6 = A1 A2 A3 A4 A5 A6",
         "row z, column p of T_0_6 = A1 A2 A3 A4 A5 A6",
     )
+    assert {equation.source.rpartition(" of ")[2] for equation in again} == {"A1^-1 T_0_6 = A2 A3 A4 A5 A6"}
 
 
 def test_the_same_from_the_other_end() -> None:
@@ -81,3 +82,31 @@ def test_all_solutions_of_the_general_3r_arm_are_found() -> None:
             counts.append((len(module.ik(T, **parameters)), by_newton(module, T[:3, 3], parameters, random)))
     assert all(ours == theirs for ours, theirs in counts), counts
     assert {ours for ours, _ in counts} == {2, 4}
+
+
+@pytest.mark.parametrize("distance", [0.0, 1e-12, 1e-9, 1e-7, 1e-5, 1e-3])
+@pytest.mark.parametrize("axis", [1, 2])
+def test_solutions_are_exact_next_to_the_axes(distance: float, axis: int) -> None:
+    """Where the point lies on axis 1 theta1 is free, on axis 2 theta2; next to them two roots are close."""
+    module = solver("general_3r")
+    random = np.random.default_rng(2)
+    tried = 0
+    while tried < 20:
+        parameters = {name: random.uniform(0.2, 1.0) for name in module.PARAMETERS}
+        q = random.uniform(-3.0, 3.0, 3)
+        if axis == 2:
+            # a3 c3 + a2 = 0: the point lies on axis 2, as d3 = 0.
+            parameters["a3"] = parameters["a2"] + random.uniform(0.1, 0.5)
+            q[2] = np.arccos(-parameters["a2"] / parameters["a3"])
+        else:
+            for _ in range(30):
+                away, J = module.fk(q, **parameters)[:2, 3], module.jacobian(q, **parameters)[:2, 1:]
+                q[1:] -= np.clip(np.linalg.lstsq(J, away, rcond=None)[0], -0.5, 0.5)
+            if np.abs(module.fk(q, **parameters)[:2, 3]).max() > 1e-14:
+                continue
+        tried += 1
+        q += distance * random.uniform(-1.0, 1.0, 3)
+        T = module.fk(q, **parameters)
+        found = module.ik(T, reference=q, **parameters)
+        assert len(found) > 0
+        assert np.abs(module.fk(found, **parameters)[:, :3, 3] - T[:3, 3]).max() < 1e-11

@@ -30,6 +30,8 @@ class Kernel:
 
 ANGLE = (("c", True), ("s", True))
 
+_FOUR_LINES = ("xc", "xs", "x", "yc", "ys", "y", "kc", "ks", "k", "lc", "ls", "l", "t")
+
 KERNELS = {
     "direct": Kernel(inputs=("c", "s"), outputs=ANGLE, free=False, branches=1, plain=True),
     "length": Kernel(inputs=("d",), outputs=(("d", True),), free=False, branches=1, plain=True),
@@ -47,7 +49,7 @@ KERNELS = {
     "direction": Kernel(inputs=("x", "y", "along", "across", "t"), outputs=ANGLE, free=True, branches=1),
     "quadratic": Kernel(inputs=("b", "c", "t"), outputs=(("d", True),), free=False, branches=2),
     "quartic": Kernel(
-        inputs=("xc", "xs", "x", "yc", "ys", "y", "kc", "ks", "k", "lc", "ls", "l", "t"),
+        inputs=(*_FOUR_LINES, *(f"{name}2" for name in _FOUR_LINES)),
         outputs=ANGLE,
         free=True,
         branches=4,

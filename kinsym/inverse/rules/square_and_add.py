@@ -6,6 +6,9 @@
 give X^2 + Y^2 = k1^2 + k2^2, of degree two in (c_y, s_y), and then (c, s) without a choice. In Pieper's solution x is
 theta2, y is theta3, X = (r - k3)/(2 a1) with r the squared distance of the wrist and Y = (z - k4)/s alpha1.
 
+Where the wrist lies on axis 2 both vectors vanish, and the equation in y is known from their lengths alone. Where it
+lies on axis 1 the same holds for the elimination of theta1, which gives the same equation in y: the kernel gets both.
+
 The squares are formed of the names of coefficients, not of the coefficients: the sums stay short, and nothing of
 the large ring is multiplied out.
 """
@@ -15,7 +18,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import partial
-from itertools import permutations
+from itertools import combinations, permutations
 
 from kinsym.algebra.field import PRIME, inverse
 from kinsym.algebra.nested import number
@@ -64,6 +67,7 @@ CONSTANTS = (Kind.CONSTANT, Kind.PARAMETER)
 
 Line = tuple[Poly, Poly, Poly]
 """``p c_y + q s_y + r``."""
+Eliminant = tuple[tuple[int, ...], ...]
 
 
 @dataclass(frozen=True)
@@ -103,15 +107,26 @@ def candidates(view: View) -> Iterator[Candidate]:
         if len(equation.angles) == 2 and not equation.lengths:
             families.setdefault(tuple(sorted(a.label for a in equation.angles)), []).append(equation)
     points = _points(state)
+    found: list[tuple[Pair, Eliminant]] = []
     for family in families.values():
         angles = family[0].angles
         for turned, other in (angles, angles[::-1]):
             forms = [form for equation in family if (form := _form(state, equation, turned, points))]
             for first, second in permutations(forms, 2):
                 pair = _pair(state, turned, other, first, second) if _promising(first, second) else None
-                if pair is not None and _holds(state, pair):
-                    cost = COST if _own(state.chain.ring, pair) else OTHER_COST
-                    yield Candidate(cost, pair.terms, other.name, partial(_build, state, pair))
+                if pair is not None and any(map(any, eliminant := _eliminant(state, pair))):
+                    found.append((pair, eliminant))
+    for pair, eliminant in found:
+        others = [
+            second
+            for second, same in found
+            if (second.other, second.turned) != (pair.other, pair.turned)
+            and second.other == pair.other
+            and _proportional(eliminant, same)
+        ]
+        again = min(others, key=lambda second: second.terms, default=pair)
+        cost = COST if _own(state.chain.ring, pair) else OTHER_COST
+        yield Candidate(cost, pair.terms, pair.other.name, partial(_build, state, pair, again))
 
 
 @dataclass(frozen=True)
@@ -210,21 +225,30 @@ def _ratio(ring: Ring, above: Poly, below: Poly) -> tuple[Poly, Poly] | None:
     return n, d
 
 
-def _holds(state: State, pair: Pair) -> bool:
-    """Whether X^2 + Y^2 = k1^2 + k2^2 says anything about the other angle; decided at the random points."""
-    lines = (pair.k1, pair.k2, *(side.rest for side in pair.sides))
+def _eliminant(state: State, pair: Pair) -> Eliminant:
+    """X^2 + Y^2 - k1^2 - k2^2 up to a factor: its coefficients of c^2, c s, c, s, 1 at the random points."""
+    lines = (*(side.rest for side in pair.sides), pair.k1, pair.k2)
     values = [[state.values(part) for part in line] for line in lines]
     scales = zip(*(state.values(side.scale) for side in pair.sides), strict=True)
+    result = []
     for point, (m1, m2) in enumerate(scales):
-        weights = (m1 * m1 * m2 * m2, m1 * m1 * m2 * m2, -m2 * m2, -m1 * m1)
-        total = [0, 0, 0, 0]
+        weights = (m2 * m2, m1 * m1, -m1 * m1 * m2 * m2, -m1 * m1 * m2 * m2)
+        total = [0, 0, 0, 0, 0]
         for weight, line in zip(weights, values, strict=True):
             p, q, r = (part[point] for part in line)
-            for place, product in enumerate((p * p - q * q, p * q, p * r, q * r)):
+            for place, product in enumerate((p * p - q * q, 2 * p * q, 2 * p * r, 2 * q * r, q * q + r * r)):
                 total[place] += weight * product
-        if any(coefficient % PRIME for coefficient in total):
-            return True
-    return False
+        result.append(tuple(coefficient % PRIME for coefficient in total))
+    return tuple(result)
+
+
+def _proportional(first: Eliminant, second: Eliminant) -> bool:
+    """Whether two eliminations say the same of the other angle."""
+    return all(
+        (a * d - b * c) % PRIME == 0
+        for one, two in zip(first, second, strict=True)
+        for (a, c), (b, d) in combinations(list(zip(one, two, strict=True)), 2)
+    )
 
 
 def _own(ring: Ring, pair: Pair) -> bool:
@@ -234,52 +258,71 @@ def _own(ring: Ring, pair: Pair) -> bool:
     return Kind.POSE not in kinds and any((*pair.k1[:2], *pair.k2[:2]))
 
 
-def _build(state: State, pair: Pair, names: Names) -> Outcome:
+def _build(state: State, pair: Pair, again: Pair, names: Names) -> Outcome:
     definitions: list[Definition] = []
+
+    named: dict[Tree, Tree] = {}
+
+    def coefficient(stem: str, tree: Tree) -> Tree:
+        if tree not in named:
+            named[tree] = names.short(stem, tree, definitions)
+        return named[tree]
 
     def line(parts: Line, scale: Poly) -> tuple[Tree, Tree, Tree]:
         stems = zip(("mu", "nu", "gamma"), parts, strict=True)
-        p, q, r = (names.short(stem, divided(state, part, scale), definitions) for stem, part in stems)
+        p, q, r = (coefficient(stem, divided(state, part, scale)) for stem, part in stems)
         return p, q, r
 
-    one = state.chain.ring.one
-    k1, k2 = line(pair.k1, one), line(pair.k2, one)
-    x, y = (line(side.rest, side.scale) for side in pair.sides)
+    def form(stated: Pair) -> list[tuple[Tree, Tree, Tree]]:
+        k1, k2 = (line(part, state.chain.ring.one) for part in (stated.k1, stated.k2))
+        x, y = (line(side.rest, side.scale) for side in stated.sides)
+        return [x, y, k1, k2]
+
+    vectors = form(pair)
+    second = vectors if again is pair else form(again)
     error = _error(state, pair)
-    equations = tuple(shown(state, equation) for equation in pair.equations)
+    equations = tuple(dict.fromkeys(shown(state, equation) for equation in (*pair.equations, *again.equations)))
     unit = max(equation.unit for equation in pair.equations)
     other, turned = pair.other, pair.turned
     c, s = Sym(other.cosine), Sym(other.sine)
-    lines = [_sum([mul(p, c), mul(q, s), r]) for p, q, r in (x, y, k1, k2)]
+    lines, other_lines = ([_sum([mul(p, c), mul(q, s), r]) for p, q, r in part] for part in (vectors, second))
+    statements = [_difference(lines), *([_difference(other_lines)] if again is not pair else [])]
+    twice = (
+        "; stated twice, as each keeps its digits where the vectors of the other vanish" if again is not pair else ""
+    )
+    inputs = {**_inputs(vectors, error, ""), **_inputs(second, _error(state, again), "2")}
     step = Step(
         number=names.step(),
         unknown=other.name,
         rule="quartic",
         equations=equations,
         coefficients=tuple(definitions),
-        inputs={
-            **{
-                f"{name}{end}": part
-                for name, parts in zip("xykl", (x, y, k1, k2), strict=True)
-                for end, part in zip(("c", "s", ""), parts, strict=True)
-            },
-            "t": error,
-        },
+        inputs=inputs,
         outputs=(other.cosine, other.sine),
         branches=4,
         unit=unit,
         reference=other.terms,
-        solution=(("0", _difference(lines)), *_half_angle(other)),
+        solution=(*(("0", statement) for statement in statements), *_half_angle(other)),
         condition=None,
         degenerate=None,
         why=f"the squares of the two equations add up to one without {turned.name}, "
-        "a polynomial of degree four in the tangent of half the angle",
+        f"a polynomial of degree four in the tangent of half the angle{twice}",
     )
     values: list[Definition] = []
-    vectors = [names.short("kappa", line, values) for line in lines]
-    follow = _turn_step(names, turned, vectors, error=error, equations=equations, unit=unit)
+    sides = [names.short("kappa", line, values) for line in lines]
+    follow = _turn_step(names, turned, sides, error=error, equations=equations, unit=unit)
     known = state.known.with_angle(edge(other)).with_angle(edge(turned))
     return Outcome((step, angle_value(other), *values, follow, angle_value(turned)), known)
+
+
+def _inputs(vectors: list[tuple[Tree, Tree, Tree]], error: Tree, suffix: str) -> dict[str, Tree]:
+    """The kernel's arguments for one statement."""
+    parts = (
+        (f"{name}{end}{suffix}", part)
+        for name, line in zip("xykl", vectors, strict=True)
+        for end, part in zip(("c", "s", ""), line, strict=True)
+    )
+    return {**dict(parts), f"t{suffix}": error}
 
 
 def _difference(lines: list[Tree]) -> Tree:
@@ -351,5 +394,5 @@ def _turn_step(
         ),
         condition=None,
         degenerate=(d, "=", ZERO),
-        why="the same two equations are linear in the cosine and sine of this angle (Cramer's rule)",
+        why="two of these equations are linear in the cosine and sine of this angle (Cramer's rule)",
     )
