@@ -271,5 +271,5 @@ def test_languages_agree(rule: str) -> None:
         }  # the same, stated twice
         ours, theirs = in_numpy(rule, **inputs), in_c(rule, **inputs)
         assert len(ours) == len(theirs), inputs
-        loose = 1e4 if rule == "quartic" else 1.0  # roots of a polynomial: each language stops within its rounding error
+        loose = 1e4 if rule == "quartic" else 1.0  # each language stops within the rounding error of a polynomial
         np.testing.assert_allclose(ours, theirs, rtol=1e-14, atol=1e-15 * loose, err_msg=str(inputs))
