@@ -30,6 +30,13 @@ SHAPES = {
     "three_slides": "pi/2 0 d1 0; pi/2 0 d2 pi/2; 0 0 d3 0",
     "single": "0 a1 0 theta1",
     "four_joints": "pi/2 0 d1 theta1; 0 a2 0 theta2; 0 a3 0 theta3; 0 a4 0 theta4",
+    "general_3r": "pi/2 a1 d1 theta1; pi/2 a2 d2 theta2; 0 a3 0 theta3",
+    "general_pieper": "pi/2 a1 d1 theta1; pi/2 a2 d2 theta2; pi/2 a3 d3 theta3; "
+    "-pi/2 0 d4 theta4; pi/2 0 0 theta5; 0 0 d6 theta6",
+    "symbolic_pieper": "alpha1 a1 d1 theta1; alpha2 a2 d2 theta2; alpha3 a3 d3 theta3; "
+    "-pi/2 0 d4 theta4; pi/2 0 0 theta5; 0 0 d6 theta6",
+    "pieper_first": "pi/2 0 0 theta1; -pi/2 0 0 theta2; pi/2 a3 d3 theta3; "
+    "pi/2 a4 d4 theta4; pi/2 a5 d5 theta5; 0 a6 d6 theta6",
     "five_joints": "pi/2 0 d1 theta1; 0 a2 0 theta2; pi/2 0 0 theta3; -pi/2 0 d4 theta4; 0 0 d5 theta5",
 }
 """Paul tables, cells alpha a d theta."""

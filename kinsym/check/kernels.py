@@ -8,12 +8,16 @@ value an unknown takes when every value solves its equation.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 
 Value = Any
 Inputs = Mapping[str, Value]
 Root = tuple[Value, ...]
+
+#: Halvings of an interval before Newton's steps: to 1e-18 of it, far less than roots that are not merged lie apart.
+HALVINGS = 60
 
 
 def direct(ctx: Any, given: Inputs, free: Value) -> list[Root]:
@@ -119,6 +123,119 @@ def quadratic(ctx: Any, given: Inputs, free: Value) -> list[Root]:
     return [(-b + root,), (-b - root,)]
 
 
+def quartic(ctx: Any, given: Inputs, free: Value) -> list[Root]:
+    """|(X, Y)| = |(K, L)| for four lines p c + q s + r: the roots in increasing angle, those that meet as one.
+
+    It is stated twice; roots meet if they do so for the lengths in both. In u = tan((angle - turn)/2) the
+    difference of the squares is a polynomial whose leading coefficient is its value at turn + pi.
+    """
+    t = given["t"]
+    lines, others = ([[given[name + end + form] for end in ("c", "s", "")] for name in "xykl"] for form in ("", "2"))
+    signs = (1, 1, -1, -1)
+
+    def difference(form: Sequence[Sequence[Value]], point: Root) -> Value:
+        c, s = point
+        return sum(sign * (p * c + q * s + r) ** 2 for sign, (p, q, r) in zip(signs, form, strict=True))
+
+    around = [_angle(ctx, k * ctx.pi / 4) for k in range(8)]
+    longest = sum(abs(value) for line in lines[2:] for value in line)
+    if max(abs(difference(lines, point)) for point in around) <= t * (2 * longest + t):
+        return [_angle(ctx, free)]
+    opposite = max(around, key=lambda point: abs(difference(lines, point)))
+    x, y = -opposite[0], -opposite[1]
+    forms = [(t, lines, abs(difference(lines, opposite)))]
+    second, longest = abs(difference(others, opposite)), sum(abs(value) for line in others[2:] for value in line)
+    if second > given["t2"] * (2 * longest + given["t2"]):
+        forms.append((given["t2"], others, second))
+
+    def by_half_angle(form: Sequence[Sequence[Value]]) -> list[tuple[Value, ...]]:
+        return [(r + p * x + q * y, 2 * (q * x - p * y), r - p * x - q * y) for p, q, r in form]
+
+    polynomial = [ctx.mpf(0)] * 5
+    for sign, line in zip(signs, by_half_angle(lines), strict=True):
+        for i, left in enumerate(line):
+            for j, right in enumerate(line):
+                polynomial[i + j] += sign * left * right
+
+    def touch(u: Value) -> bool:
+        value = abs(_horner(polynomial, u) / polynomial[-1])
+        for tolerance, form, lead in forms:
+            width = tolerance * (1 + u * u)
+            reach = ctx.sqrt(sum(_horner(line, u) ** 2 for line in by_half_angle(form)[2:]))
+            if value * lead > width * (2 * reach + width):
+                return False
+        return True
+
+    knots = _real_roots(ctx, [k * coefficient for k, coefficient in enumerate(polynomial)][1:])
+    touching = [touch(u) for u in knots]
+    found: list[Value] = []
+    run: list[Value] = []
+    for u, touches in zip(knots, touching, strict=True):
+        if touches:
+            run.append(u)
+        elif run:
+            found.append((run[0] + run[-1]) / 2)
+            run = []
+    if run:
+        found.append((run[0] + run[-1]) / 2)
+    bound = _bound(polynomial)
+    marks = [(-bound, False), *zip(knots, touching, strict=True), (bound, False)]
+    for (low, low_touches), (high, high_touches) in pairwise(marks):
+        if not low_touches and not high_touches:
+            found += _crossing(ctx, polynomial, low, high)
+
+    points = [(1 - u * u, 2 * u, 1 + u * u) for u in found]
+    roots = [((x * p - y * q) / w, (y * p + x * q) / w) for p, q, w in points]
+    return sorted(roots, key=lambda root: _increasing(ctx, root))
+
+
+def _increasing(ctx: Any, root: Root) -> Value:
+    """The angle in (-pi, pi]; next to -pi it counts as pi, so that rounding decides no order."""
+    angle = ctx.atan2(root[1], root[0])
+    return ctx.pi if angle < -ctx.pi + ctx.mpf(10) ** -10 else angle
+
+
+def _horner(polynomial: Sequence[Value], u: Value) -> Value:
+    """The value of a polynomial, constant term first."""
+    total = 0
+    for coefficient in reversed(polynomial):
+        total = total * u + coefficient
+    return total
+
+
+def _bound(polynomial: Sequence[Value]) -> Value:
+    """No root is farther from 0 than this (Cauchy)."""
+    return 1 + max(abs(coefficient / polynomial[-1]) for coefficient in polynomial[:-1])
+
+
+def _real_roots(ctx: Any, polynomial: Sequence[Value]) -> list[Value]:
+    """The real roots at which a polynomial changes its sign, by those of its derivative."""
+    if len(polynomial) == 2:
+        return [-polynomial[0] / polynomial[1]]
+    knots = _real_roots(ctx, [k * coefficient for k, coefficient in enumerate(polynomial)][1:])
+    bound = _bound(polynomial)
+    return [root for low, high in pairwise([-bound, *knots, bound]) for root in _crossing(ctx, polynomial, low, high)]
+
+
+def _crossing(ctx: Any, polynomial: Sequence[Value], low: Value, high: Value) -> list[Value]:
+    """The root between two points if the sign differs: halving to eighteen digits, then Newton's steps."""
+    rises = _horner(polynomial, high) > 0
+    if rises == (_horner(polynomial, low) > 0):
+        return []
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        low, high = (low, middle) if (_horner(polynomial, middle) > 0) == rises else (middle, high)
+    slope = [k * coefficient for k, coefficient in enumerate(polynomial)][1:]
+    root = (low + high) / 2
+    for _ in range(3):
+        below = _horner(slope, root)
+        step = _horner(polynomial, root) / below if below else ctx.mpf(0)
+        if abs(step) > high - low:
+            break
+        root -= step
+    return [root]
+
+
 def _angle(ctx: Any, value: Value) -> Root:
     return ctx.cos(value), ctx.sin(value)
 
@@ -134,4 +251,5 @@ KERNELS: dict[str, Callable[[Any, Inputs, Value], list[Root]]] = {
     "triangle": triangle,
     "direction": direction,
     "quadratic": quadratic,
+    "quartic": quartic,
 }

@@ -41,7 +41,7 @@ class Assign:
 
 @dataclass(frozen=True, kw_only=True)
 class Solve:
-    """A call of the numerical kernel ``step.rule``; opens level + 1 if ``step.branches`` is 2."""
+    """A call of the numerical kernel ``step.rule``; opens level + 1 if ``step.branches`` is above 1."""
 
     level: int
     step: Step
@@ -75,7 +75,7 @@ class Schedule:
     jacobian    6 n outputs, row-major: velocity rows first, then angular velocity rows.
     inverse     the statements of the inverse kinematics; the names u_x..p_z are the entries of the pose.
     solution    the names of the joint values, in the order of joints, known at level ``depth``.
-    maximum     the largest number of solutions, 2 ** depth.
+    maximum     the largest number of solutions, the product of ``widths``.
     """
 
     name: str
@@ -95,3 +95,9 @@ class Schedule:
     gate: bool
     size: Tree
     tau: Fraction
+
+    @property
+    def widths(self) -> tuple[int, ...]:
+        """The number of branches of each step that branches; step k opens level k."""
+        steps = (statement.step for statement in self.inverse if isinstance(statement, Solve))
+        return tuple(step.branches for step in steps if step.branches > 1)

@@ -52,7 +52,7 @@ class Step:
     coefficients  named quantities that the kernel reads, defined just before it runs (may be empty: see inputs).
     inputs        the kernel's arguments by name, each a tree over known names.
     outputs       ``("c1", "s1")`` for an angle, ``("d3",)`` for a length, plus what the kernel gives beside it.
-    branches      1 or 2: how many values the unknown takes for each branch before it.
+    branches      how many values at most the unknown takes for each branch before it: 1, 2 or 4.
     unit          exponent of length in the equation: 0 (rotation), 1 (position) or 2 (squared distance).
     reference     the joints whose reference values are added (with these signs) when the unknown is free.
     solution      the formula a reader sees, over the names in coefficients.

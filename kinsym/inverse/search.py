@@ -12,7 +12,7 @@ from kinsym.errors import NoClosedForm
 from kinsym.inverse.assemble import assemble
 from kinsym.inverse.plan import Item, Plan
 from kinsym.inverse.pool import Pool, PoolEquation
-from kinsym.inverse.rules import RULES
+from kinsym.inverse.rules import LAST_RULES, RULES
 from kinsym.inverse.rules.base import Candidate, Names, View
 from kinsym.inverse.state import State, shortened, start
 from kinsym.inverse.verdict import verdict
@@ -51,16 +51,22 @@ class _Search:
 
 
 def ranked(state: State) -> list[Candidate]:
-    """The candidates of a state, best first, one for each unknown and cost."""
+    """The candidates of a state, best first, one for each unknown and cost.
+
+    The dearest rules are asked only if the others propose fewer than are ever tried.
+    """
     pool = Pool(state)
     equations: list[PoolEquation] = []
     for cut in pool.cuts():
         equations += [equation for equation in pool.equations(cut) if equation.unknowns <= 2]
     view = View(state, equations)
-    found = sorted((c for rule in RULES for c in rule.candidates(view)), key=lambda c: c.order)
     best: dict[tuple[int, str], Candidate] = {}
-    for candidate in found:
-        best.setdefault((candidate.cost, candidate.unknown), candidate)
+    for rules in (RULES, LAST_RULES):
+        found = sorted((c for rule in rules for c in rule.candidates(view)), key=lambda c: c.order)
+        for candidate in found:
+            best.setdefault((candidate.cost, candidate.unknown), candidate)
+        if len(best) >= WIDTH:
+            break
     return list(best.values())
 
 

@@ -8,6 +8,7 @@ with the inverse kinematics of kinsym's own rules. The polar arm adds a prismati
 from __future__ import annotations
 
 from fractions import Fraction
+from math import prod
 
 from kinsym.emit.schedule import Assign, JointName, Note, Parameter, Schedule, Solve, Statement, StraightLine
 from kinsym.inverse.plan import Definition, Step
@@ -72,7 +73,7 @@ def schedule(
     gate: bool = False,
 ) -> Schedule:
     """A schedule; a joint whose name begins with d is prismatic."""
-    depth = sum(isinstance(item, Solve) and item.step.branches == 2 for item in inverse)
+    depth = sum(isinstance(item, Solve) and item.step.branches > 1 for item in inverse)
     return Schedule(
         name=name,
         title=title,
@@ -88,7 +89,7 @@ def schedule(
         inverse=tuple(inverse),
         solution=tuple(joints.split()),
         depth=depth,
-        maximum=2**depth,
+        maximum=prod(item.step.branches for item in inverse if isinstance(item, Solve)),
         task=task,
         gate=gate,
         size=tree(size),
@@ -265,12 +266,26 @@ def every_kernel() -> Schedule:
             solve(2, "linear", "c3 s3", 2, reference, a="p_x", b="p_y", e="a", t="tau"),
             solve(3, "triangle", "k_4 w_4 along_4", 2, x="p_x", y="p_y", l1="a", l2="b", t="tau"),
             solve(4, "quadratic", "d5", 2, b="p_x", c="p_y", t="tau"),
-            solve(5, "quotient", "c6 s6", 1, reference, x="p_x", y="p_y", d="d5", t="tau"),
-            solve(5, "quotient_length", "d7", 1, "d3", n="p_x", d="p_y", t="tau"),
-            solve(5, "direction", "c8 s8", 1, reference, x="p_x", y="p_y", along="k_4", across="w_4", t="tau"),
-            solve(5, "direct", "c9 s9", 1, c="c6", s="s6*s8"),
-            solve(5, "length", "d3", 1, d="d7 + d5"),
-            *assign(5, "theta1 = wrap(atan2(s1, c1) + atan2(s2, c2))\ntheta2 = atan2(s3, c3*c9)"),
+            solve(
+                5,
+                "quartic",
+                "c4 s4",
+                4,
+                reference,
+                **dict(zip(("xc", "xs", "x", "yc", "ys", "y"), ("p_x", "0", "a", "p_y", "b", "d5"), strict=True)),
+                **dict(zip(("kc", "ks", "k", "lc", "ls", "l"), ("1", "p_z", "0", "w_x", "0", "0"), strict=True)),
+                t="tau*size",
+                **{
+                    f"{name}2": "1"
+                    for name in ("xc", "xs", "x", "yc", "ys", "y", "kc", "ks", "k", "lc", "ls", "l", "t")
+                },
+            ),
+            solve(6, "quotient", "c6 s6", 1, reference, x="p_x", y="p_y", d="d5", t="tau"),
+            solve(6, "quotient_length", "d7", 1, "d3", n="p_x", d="p_y", t="tau"),
+            solve(6, "direction", "c8 s8", 1, reference, x="p_x", y="p_y", along="k_4", across="w_4", t="tau"),
+            solve(6, "direct", "c9 s9", 1, c="c6", s="s6*s8"),
+            solve(6, "length", "d3", 1, d="d7 + d5"),
+            *assign(6, "theta1 = wrap(atan2(s1, c1) + atan2(s2, c2))\ntheta2 = atan2(s3*s4, c3*c9)"),
         ],
         task=Task.POSITION,
         size="hypot(a, b)",

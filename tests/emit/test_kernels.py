@@ -17,6 +17,7 @@ from tests.emit.schedules import every_kernel
 
 T = 1e-12  # a tolerance that is easy to step over on both sides
 REFERENCE = 0.3
+MOST = 4  # roots of a kernel
 Roots = list[tuple[float, ...]]
 Kernel = Callable[..., Roots]
 ANGLES = """double test_angle(double s, double c);
@@ -31,9 +32,9 @@ def _wrapper(rule: str) -> str:
     """An exported C function that calls a static kernel: inputs and reference in, number of roots and outputs out."""
     kernel = KERNELS[rule]
     inputs = [f"in[{i}]" for i in range(len(kernel.inputs) + kernel.free)]
-    outputs = [f"out + {2 * i}" for i in range(len(kernel.outputs))]
+    outputs = [f"out + {MOST * i}" for i in range(len(kernel.outputs))]
     call = f"solve_{rule}({', '.join(inputs + outputs)})"
-    body = f"return {call};" if kernel.branches == 2 else f"{call}; return 1;"
+    body = f"return {call};" if kernel.branches > 1 else f"{call}; return 1;"
     head = f"int test_{rule}(const double *in, double *out)"
     return f"{head};\n{head} {{ {body} }}\n"
 
@@ -56,10 +57,10 @@ def in_c(rule: str, reference: float = REFERENCE, **inputs: float) -> Roots:
     """The roots that the C kernel gives."""
     kernel = KERNELS[rule]
     values = [inputs[name] for name in kernel.inputs] + [reference] * kernel.free
-    given, out = (ctypes.c_double * len(values))(*values), (ctypes.c_double * (2 * len(kernel.outputs)))()
+    given, out = (ctypes.c_double * len(values))(*values), (ctypes.c_double * (MOST * len(kernel.outputs)))()
     count = getattr(_library(), f"test_{rule}")(given, out)
     return [
-        tuple(out[2 * place + (root if rooted else 0)] for place, (_, rooted) in enumerate(kernel.outputs))
+        tuple(out[MOST * place + (root if rooted else 0)] for place, (_, rooted) in enumerate(kernel.outputs))
         for root in range(count)
     ]
 
@@ -70,7 +71,7 @@ def in_numpy(rule: str, reference: float = REFERENCE, **inputs: float) -> Roots:
     values = [np.array([inputs[name]]) for name in kernel.inputs] + [np.array([reference])] * kernel.free
     function = getattr(_module(), f"_{rule}")
     with np.errstate(all="ignore"):
-        results = function(*values, axes=1) if kernel.branches == 2 else function(*values)
+        results = function(*values, axes=1) if kernel.branches > 1 else function(*values)
     if len(kernel.outputs) == 1 and kernel.branches == 1:
         results = (results,)
     *outputs, real = (*results, np.array([True])) if kernel.branches == 1 else results
@@ -265,6 +266,10 @@ def test_languages_agree(rule: str) -> None:
             values = np.round(values)
         inputs = dict(zip(KERNELS[rule].inputs, map(float, values), strict=True))
         inputs |= {name: T for name in ("t", "t_alt") if name in inputs}
+        inputs |= {
+            f"{name}2": value for name, value in inputs.items() if f"{name}2" in inputs
+        }  # the same, stated twice
         ours, theirs = in_numpy(rule, **inputs), in_c(rule, **inputs)
         assert len(ours) == len(theirs), inputs
-        np.testing.assert_allclose(ours, theirs, rtol=1e-14, atol=1e-15, err_msg=str(inputs))
+        loose = 1e4 if rule == "quartic" else 1.0  # each language stops within the rounding error of a polynomial
+        np.testing.assert_allclose(ours, theirs, rtol=1e-14, atol=1e-15 * loose, err_msg=str(inputs))

@@ -1,4 +1,4 @@
-"""Every robot of the gallery, and two that try to break the page, as text and as LaTeX."""
+"""Every robot of the gallery, an arm with four branches, and two that try to break the page, as text and as LaTeX."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from kinsym.emit.latex import document
 from kinsym.emit.text import equations
 from kinsym.robot import load
 from kinsym.robot.catalogue import gallery
+from tests.arms import SHAPES, robot
 
 # A twist of 30 degrees, offsets in every cell, names of 35 letters, joints without numbers, base and tool.
 TILTED = r"""
@@ -48,7 +49,7 @@ def derived(name: str) -> Derivation:
     return derive(load(name))
 
 
-@pytest.fixture(params=[*gallery(), "tilted", "puma560 in numbers"])
+@pytest.fixture(params=[*gallery(), "tilted", "puma560 in numbers", "symbolic_pieper"])
 def derivation(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Derivation:
     if request.param == "tilted":
         path = tmp_path_factory.mktemp("robots") / "tilted.toml"
@@ -56,6 +57,8 @@ def derivation(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPath
         return derive(load(str(path)))
     if request.param == "puma560 in numbers":
         return derive(load("puma560", bindings=NUMBERS))
+    if request.param in SHAPES:
+        return derive(robot(request.param))
     return derived(request.param)
 
 
@@ -72,7 +75,7 @@ def test_latex_tells_every_step_and_every_solution(derivation: Derivation) -> No
     assert text.isascii()
     assert text.count(r"\subsection*{Step ") == len(derivation.plan.steps)
     solutions = text.partition(r"\subsection*{Solutions}")[2]
-    rows = re.findall(r"^\$\d+\$ & \$[+-]\$", solutions, re.MULTILINE)
+    rows = re.findall(r"^\$\d+\$ & \$[+1-4-]\$", solutions, re.MULTILINE)
     assert len(rows) == (derivation.plan.maximum if derivation.plan.maximum > 1 else 0)
 
 

@@ -28,6 +28,7 @@ from kinsym.emit.prose.wording import (
     decimal,
     found_by_sum,
     loops,
+    marks_explained,
 )
 from kinsym.inverse.cut import link_letter
 from kinsym.inverse.plan import Plan
@@ -40,6 +41,7 @@ _DELIMITERS = Delimiters(block=("<%", "%>"), variable=("<<", ">>"), comment=("<#
 _BASE, _TOOL = r"T_{\mathrm{base}}", r"T_{\mathrm{tool}}"
 #: A table of parameters with a longer name than this is set in a smaller type.
 _LONGEST_NAME = 24
+_WORDS = {2: "two", 4: "four"}
 
 
 class _Writer(Formulas):
@@ -161,8 +163,8 @@ class _Writer(Formulas):
         return tuple(chunks(rows))
 
     def branch_table(self) -> tuple[Sequence[tuple[str, ...]], ...]:
-        """Which sign every solution takes at every branching step."""
-        return tuple(chunks([(str(number), *signs) for number, signs in branch_rows(self.derivation.plan)]))
+        """Which branch every solution takes at every branching step."""
+        return tuple(chunks([(str(number), *marks) for number, marks in branch_rows(self.derivation.plan)]))
 
 
 def document(derivation: Derivation) -> str:
@@ -204,7 +206,9 @@ def document(derivation: Derivation) -> str:
         "values": writer.values(),
         "wrapped": any(value.wrapped for value in plan.values if found_by_sum(value)),
         "maximum": plan.maximum,
-        "forks": [(fork.number, writer.names[fork.unknown], fork.run) for fork in forks],
+        "forks": [(fork.number, writer.names[fork.unknown], _WORDS[fork.width]) for fork in forks],
+        "signs": marks_explained(plan)[0],
+        "numbers": marks_explained(plan)[1],
         "branches": writer.branch_table() if forks else (),
         "gate": GATE if plan.gate else "",
     }

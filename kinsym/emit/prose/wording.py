@@ -103,11 +103,17 @@ def as_fraction(value: Fraction) -> bool:
 
 @dataclass(frozen=True)
 class Branching:
-    """A step with two solutions: its number, its unknown, and how many solutions share each of its signs in a row."""
+    """A step with several solutions: its number, its unknown, how many solutions share each of its marks in a row."""
 
     number: int
     unknown: str
     run: int
+    marks: str
+
+    @property
+    def width(self) -> int:
+        """How many solutions the step has at most."""
+        return len(self.marks)
 
 
 def branchings(plan: Plan) -> tuple[Branching, ...]:
@@ -117,14 +123,24 @@ def branchings(plan: Plan) -> tuple[Branching, ...]:
     for step in plan.steps:
         if step.branches > 1:
             run //= step.branches
-            found.append(Branching(step.number, step.unknown, run))
+            found.append(Branching(step.number, step.unknown, run, _marks(step)))
     return tuple(found)
 
 
+def _marks(step: Step) -> str:
+    """The marks of a step's branches in order: signs for two, numbers for more."""
+    return "+-" if step.branches == 2 else "".join(str(root) for root in range(1, step.branches + 1))
+
+
 def branch_rows(plan: Plan) -> Iterator[tuple[int, tuple[str, ...]]]:
-    """Every solution's number and the sign it takes at each branching step, upper sign first."""
-    steps = [step for step in plan.steps if step.branches > 1]
-    yield from enumerate(product("+-", repeat=len(steps)), start=1)
+    """Every solution's number and the mark of its branch at each branching step, upper sign first."""
+    yield from enumerate(product(*(fork.marks for fork in branchings(plan))), start=1)
+
+
+def marks_explained(plan: Plan) -> tuple[bool, bool]:
+    """Whether the table of branches shows signs, and whether it shows numbers."""
+    widths = {fork.width for fork in branchings(plan)}
+    return 2 in widths, bool(widths - {2})
 
 
 def _plain_angle(value: Tree) -> bool:
@@ -194,7 +210,8 @@ def branch_marks(step: Step) -> tuple[str, ...]:
     names = [name for name, _ in step.solution]
     marks = []
     for k, name in enumerate(names):
-        marks.append("" if names.count(name) == 1 else "+" if name not in names[:k] else "-")
+        single = names.count(name) == 1 or step.branches != 2
+        marks.append("" if single else "+" if name not in names[:k] else "-")
     return tuple(marks)
 
 

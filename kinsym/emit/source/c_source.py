@@ -84,11 +84,11 @@ class RootsCall:
 
 
 def roots_call(call: KernelCall) -> RootsCall:
-    """The C form of a call. Results that differ between two roots are arrays of two, the others pointers."""
+    """The C form of a call. Results that differ between the roots are arrays of them, the others pointers."""
     pairs = [(output, output.rooted and call.branch is not None) for output in call.outputs]
     arguments = [*call.arguments, *(f"{item.name}_roots" if many else f"&{item.name}" for item, many in pairs)]
     return RootsCall(
-        results=", ".join(f"{item.name}_roots[2]" if many else item.name for item, many in pairs),
+        results=", ".join(f"{item.name}_roots[{call.roots}]" if many else item.name for item, many in pairs),
         text=f"solve_{call.rule}({', '.join(arguments)})",
         roots=", ".join(
             f"{item.name} = {item.name}_roots[i{call.branch}]" for item, many in pairs if many and item.used

@@ -17,7 +17,7 @@ from kinsym.emit.schedule import Solve, Statement
 class Kernel:
     """The signature of one kernel.
 
-    ``outputs`` pairs each output's name with whether it differs between the two roots. ``plain`` kernels only
+    ``outputs`` pairs each output's name with whether it differs between the roots. ``plain`` kernels only
     assign their inputs to their outputs and need no helper.
     """
 
@@ -29,6 +29,8 @@ class Kernel:
 
 
 ANGLE = (("c", True), ("s", True))
+
+_FOUR_LINES = ("xc", "xs", "x", "yc", "ys", "y", "kc", "ks", "k", "lc", "ls", "l", "t")
 
 KERNELS = {
     "direct": Kernel(inputs=("c", "s"), outputs=ANGLE, free=False, branches=1, plain=True),
@@ -46,6 +48,12 @@ KERNELS = {
     ),
     "direction": Kernel(inputs=("x", "y", "along", "across", "t"), outputs=ANGLE, free=True, branches=1),
     "quadratic": Kernel(inputs=("b", "c", "t"), outputs=(("d", True),), free=False, branches=2),
+    "quartic": Kernel(
+        inputs=(*_FOUR_LINES, *(f"{name}2" for name in _FOUR_LINES)),
+        outputs=ANGLE,
+        free=True,
+        branches=4,
+    ),
 }
 
 

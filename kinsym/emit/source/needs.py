@@ -161,6 +161,6 @@ def _depths(statements: tuple[Statement, ...]) -> int:
             continue
         if statement.level != depth:
             return -1
-        if isinstance(statement, Solve) and statement.step.branches == 2:
+        if isinstance(statement, Solve) and statement.step.branches > 1:
             depth += 1
     return depth

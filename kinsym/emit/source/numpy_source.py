@@ -1,6 +1,6 @@
 """A schedule as a Python module that needs NumPy and nothing else.
 
-Poses lie along the last axis and every step that branches adds an axis of length two in front, so that the code of a
+Poses lie along the last axis and every step that branches adds an axis of its roots in front, so that the code of a
 step is written as for one pose and NumPy broadcasts it over poses and branches.
 """
 
@@ -55,6 +55,8 @@ def numpy_source(schedule: Schedule) -> dict[str, str]:
         "functions": functions_used(schedule),
         "gate": gate_entries(schedule.task),
         "place": ENTRIES,
+        "shape": "".join(f"{width}, " for width in reversed(schedule.widths)),
+        "paired": set(schedule.widths) <= {2},
         "axes": list(range(schedule.depth, -1, -1)),
         "reals": [f"real{branch}" for branch in range(1, schedule.depth + 1)],
         "results": results,
@@ -164,7 +166,7 @@ def results(call: KernelCall) -> str:
 
 
 def kernel_call(call: KernelCall) -> str:
-    """The call of a kernel; one with two roots is told how many axes its results will have behind the new one."""
+    """The call of a kernel; one with several roots is told how many axes its results will have behind the new one."""
     axes = [f"axes={call.level + 1}"] if call.branch else []
     return f"_{call.rule}({', '.join([*call.arguments, *axes])})"
 

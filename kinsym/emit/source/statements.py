@@ -44,13 +44,14 @@ class Output:
 
 @dataclass(frozen=True, kw_only=True)
 class KernelCall:
-    """A call of a kernel; ``branch`` numbers the level that it opens, None if it has one root always."""
+    """A call of a kernel with at most ``roots`` roots; ``branch`` numbers the level it opens, None for one root."""
 
     kind: str = "call"
     level: int
     rule: str
     arguments: tuple[str, ...]
     outputs: tuple[Output, ...]
+    roots: int
     branch: int | None
 
 
@@ -93,7 +94,8 @@ def _views(
                 Output(name=name, rooted=rooted, used=name in needs.names)
                 for name, (_, rooted) in zip(step.outputs, kernel.outputs, strict=True)
             ),
-            branch=level + 1 if step.branches == 2 else None,
+            roots=step.branches,
+            branch=level + 1 if step.branches > 1 else None,
         ),
     )
 

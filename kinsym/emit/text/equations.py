@@ -25,6 +25,7 @@ from kinsym.emit.prose.wording import (
     decimal,
     found_by_sum,
     loops,
+    marks_explained,
     one_line,
     origins,
     rule_title,
@@ -220,14 +221,17 @@ def solutions(plan: Plan, page: Page | None = None) -> str:
     if not forks:
         lines = ["  one solution"]
     else:
-        factors = f" = {' x '.join('2' for _ in forks)}" if len(forks) > 1 else ""
+        factors = f" = {' x '.join(str(fork.width) for fork in forks)}" if len(forks) > 1 else ""
+        signs, numbers = marks_explained(plan)
+        meanings = ["+ is the upper sign or the first value of a step with two branches, - the other"] if signs else []
+        meanings += ["1, 2, ... are the real roots of a step with more, the least angle first"] if numbers else []
         lines = [
             f"  at most {counted(plan.maximum, 'solution')}{factors};",
-            page.prose("+ is the upper sign or the first value of a step with two branches, - the other:"),
+            page.prose(f"{'; '.join(meanings)}:"),
             "",
         ]
         head = ("solution", *(f"step {fork.number}: {fork.unknown}" for fork in forks))
-        lines.append(page.columns([head, *((str(number), *signs) for number, signs in branch_rows(plan))]))
+        lines.append(page.columns([head, *((str(number), *marks) for number, marks in branch_rows(plan))]))
     if plan.gate:
         lines.append("")
         lines.append(page.prose(GATE))

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
 from kinsym.algebra.ring import Poly
-from kinsym.algebra.tree import ZERO, Call, Definition, Num, Pow, Sum, Sym, Tree, mul, negated, negative, opposite
+from kinsym.algebra.tree import ZERO, Call, Definition, Num, Pow, Quot, Sum, Sym, Tree, mul, negated, negative, opposite
 from kinsym.inverse.knowledge import Knowledge
 from kinsym.inverse.plan import Equation, Item
 from kinsym.inverse.pool import PoolEquation
@@ -155,6 +155,14 @@ def shown(state: State, equation: PoolEquation) -> Equation:
 
 def _all_negative(tree: Tree) -> bool:
     return all(map(negative, tree.terms)) if isinstance(tree, Sum) else negative(tree)
+
+
+def divided(state: State, numerator: Poly, constant: Poly) -> Tree:
+    """A polynomial over a constant in lowest terms, as it is written now."""
+    above, below = numerator.cancel(constant)
+    if below.is_ground:
+        return state.tree(above.quo_ground(below.coeff(1)))
+    return Quot(state.tree(above), state.tree(below))
 
 
 def angle_value(angle: Angle) -> Definition:

@@ -12,7 +12,7 @@ from itertools import combinations
 
 from kinsym.algebra.field import PRIME
 from kinsym.algebra.ring import Poly
-from kinsym.algebra.tree import ZERO, Definition, Quot, Tree, mul, sub
+from kinsym.algebra.tree import ZERO, Definition, Quot, Tree, add, mul, sub, sum_of_squares
 from kinsym.inverse.plan import Step
 from kinsym.inverse.rules.base import (
     Candidate,
@@ -21,6 +21,7 @@ from kinsym.inverse.rules.base import (
     Outcome,
     View,
     angle_value,
+    divided,
     edge,
     shown,
     tolerance,
@@ -79,8 +80,8 @@ def _cross(state: State, a: Poly, b: Poly, c: Poly, d: Poly) -> Poly:
 
 def _direct(state: State, first: LinearForm, second: LinearForm, determinant: Poly, names: Names) -> Outcome:
     angle = first.angle
-    c = _divided(state, _cross(state, first.e, first.b, second.e, second.b), determinant)
-    s = _divided(state, _cross(state, first.a, first.e, second.a, second.e), determinant)
+    c = divided(state, _cross(state, first.e, first.b, second.e, second.b), determinant)
+    s = divided(state, _cross(state, first.a, first.e, second.a, second.e), determinant)
     value = angle_value(angle)
     step = Step(
         number=names.step(),
@@ -101,13 +102,6 @@ def _direct(state: State, first: LinearForm, second: LinearForm, determinant: Po
     return Outcome((step, value), state.known.with_angle(edge(angle)))
 
 
-def _divided(state: State, numerator: Poly, constant: Poly) -> Tree:
-    above, below = numerator.cancel(constant)
-    if below.is_ground:
-        return state.tree(above.quo_ground(below.coeff(1)))
-    return Quot(state.tree(above), state.tree(below))
-
-
 def _quotient(state: State, first: LinearForm, second: LinearForm, names: Names) -> Outcome:
     angle = first.angle
     definitions: list[Definition] = []
@@ -116,10 +110,19 @@ def _quotient(state: State, first: LinearForm, second: LinearForm, names: Names)
         return names.short(stem, state.tree(poly), definitions)
 
     mu1, nu1, gamma1 = coefficient("mu", first.a), coefficient("nu", first.b), coefficient("gamma", first.e)
-    mu2, nu2, gamma2 = coefficient("mu", second.a), coefficient("nu", second.b), coefficient("gamma", second.e)
-    d = sub(mul(mu1, nu2), mul(mu2, nu1))
-    x = sub(mul(gamma1, nu2), mul(gamma2, nu1))
-    y = sub(mul(mu1, gamma2), mul(mu2, gamma1))
+    if _turned(first, second):
+        # Numerators and determinant are products of two quantities, both small where the angle is free.
+        gamma2 = coefficient("gamma", second.e)
+        d = sum_of_squares(*(part for part in (mu1, nu1) if part != ZERO))
+        (x1, x2), (y1, y2) = (mul(mu1, gamma1), mul(nu1, gamma2)), (mul(nu1, gamma1), mul(mu1, gamma2))
+        forward = (second.a, second.b) == (-first.b, first.a)
+        x, y = (sub(x1, x2), add(y1, y2)) if forward else (add(x1, x2), sub(y1, y2))
+        t = mul(tolerance(first.equation.unit), tolerance(second.equation.unit))
+    else:
+        mu2, nu2, gamma2 = coefficient("mu", second.a), coefficient("nu", second.b), coefficient("gamma", second.e)
+        d = sub(mul(mu1, nu2), mul(mu2, nu1))
+        x, y = sub(mul(gamma1, nu2), mul(gamma2, nu1)), sub(mul(mu1, gamma2), mul(mu2, gamma1))
+        t = tolerance(first.equation.unit + second.equation.unit)
     value = angle_value(angle)
     step = Step(
         number=names.step(),
@@ -127,7 +130,7 @@ def _quotient(state: State, first: LinearForm, second: LinearForm, names: Names)
         rule="quotient",
         equations=(shown(state, first.equation), shown(state, second.equation)),
         coefficients=tuple(definitions),
-        inputs={"x": x, "y": y, "d": d, "t": tolerance(first.equation.unit + second.equation.unit)},
+        inputs={"x": x, "y": y, "d": d, "t": t},
         outputs=(angle.cosine, angle.sine),
         branches=1,
         unit=max(first.equation.unit, second.equation.unit),
