@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import tomllib
+import types
 from functools import cache
+from typing import Any
 
 from kinsym.derivation import Derivation, derive
-from kinsym.robot import from_inline, gallery, load
+from kinsym.emit import TARGETS
+from kinsym.emit.program import build_schedule
+from kinsym.robot import from_inline, gallery, load, to_toml
+from kinsym.robot.files import from_draft
 from kinsym.robot.model import Robot
 
 SHAPES = {
@@ -41,16 +47,36 @@ SHAPES = {
 }
 """Paul tables, cells alpha a d theta."""
 
-NAMES = (*gallery(), *SHAPES)
+FRAMED = "framed"
+NAMES = (*gallery(), *SHAPES, FRAMED)
 
 
 @cache
 def robot(name: str) -> Robot:
     """A gallery robot or a shape."""
+    if name == FRAMED:
+        return framed()
     return from_inline(SHAPES[name], convention="paul", name=name) if name in SHAPES else load(name)
+
+
+def framed() -> Robot:
+    """A UR5 on a tilted table, with a tool that is turned by 45 degrees and more."""
+    draft = tomllib.loads(to_toml(load("ur5")))
+    draft["base"] = {"xyz": ["0.1", "h", "0.3"], "rpy": ["0.3", "0.2", "0.1"]}
+    draft["tool"] = {"xyz": ["0", "0.05", "0.12"], "rpy": ["pi/2", "0", "deg(45)"]}
+    return from_draft({**draft, "name": FRAMED}, where="tests", bindings={})
 
 
 @cache
 def derivation(name: str) -> Derivation:
     """The derivation of a gallery robot or a shape."""
     return derive(robot(name))
+
+
+@cache
+def numpy_module(name: str) -> Any:
+    """The generated NumPy module of an arm, without files."""
+    module = types.ModuleType(name)
+    (source,) = TARGETS["numpy"](build_schedule(derivation(name))).values()
+    exec(compile(source, f"{name}.py", "exec"), module.__dict__)
+    return module

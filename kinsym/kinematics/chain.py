@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from kinsym.algebra.field import PRIME, circle_point, turn
 from kinsym.algebra.ring import (
@@ -116,7 +116,11 @@ def build_chain(robot: Robot) -> Chain:
     constants = Constants(list(robot.parameters))
     note_cells(constants, robot)
     plain = Ring(constants.generators())
-    _, body = motions(plain, constants, robot)
+    head, body = motions(plain, constants, robot)
+    ends = {"base": head if robot.base else None, "end": body[-1].after if robot.tool else None}
+    for place, transform in ends.items():
+        for name, entry in transform.entries(place) if transform else ():
+            constants.note_entry(plain, entry, name)
     runs = _runs(plain, body)
     digits = shorthand(tuple(joint.variable for joint in body))
 
@@ -131,6 +135,8 @@ def build_chain(robot: Robot) -> Chain:
     ring = Ring(generators + constants.generators())
 
     base, joints = motions(ring, constants, robot)
+    base = base.named(ring, "base")
+    joints = (*joints[:-1], replace(joints[-1], after=joints[-1].after.named(ring, "end")))
     groups = tuple(
         _group(ring, index, joints, positions, tuple(nodes)) for index, (positions, nodes) in enumerate(runs)
     )

@@ -15,7 +15,8 @@ from sympy import Add, Expr, Integer, Mul, Rational, Symbol, cos, pi, sin
 from sympy.ntheory import sqrt_mod
 
 from kinsym.algebra.field import PRIME, Point, angle_point, circle_point, turn
-from kinsym.algebra.ring import Generator, Kind, Poly, Ring
+from kinsym.algebra.ring import Generator, Kind, Poly, Ring, fraction
+from kinsym.robot.expressions import symbol
 
 
 @dataclass
@@ -25,6 +26,7 @@ class Constants:
     parameters: list[str]
     derived: dict[Expr, str] = field(default_factory=dict)
     angles: dict[Expr, str] = field(default_factory=dict)
+    entries: dict[str, tuple[Ring, Poly]] = field(default_factory=dict)
 
     def note_length(self, cell: Expr) -> None:
         """Register whatever a length cell needs."""
@@ -44,6 +46,11 @@ class Constants:
                 chosen += "_"
             self.angles[generic] = chosen
 
+    def note_entry(self, ring: Ring, poly: Poly, name: str) -> None:
+        """Give an entry of the base or of the tool a name of its own if it is more than a number or a parameter."""
+        if len(poly) > 1 or (poly and not poly.is_ground and ring.used(poly)[0] not in self.parameters):
+            self.entries[name] = ring, poly
+
     def generators(self) -> list[Generator]:
         """The generators of everything registered, then the parameters that occur as lengths."""
         result: list[Generator] = []
@@ -54,6 +61,7 @@ class Constants:
             squared = expression**2
             square = Fraction(int(squared.p), int(squared.q)) if isinstance(squared, Rational) else None
             result.append(Generator(name, Kind.CONSTANT, square))
+        result.extend(Generator(name, Kind.CONSTANT) for name in self.entries)
         result.extend(Generator(name, Kind.PARAMETER) for name in self.parameters)
         return result
 
@@ -95,20 +103,36 @@ class Constants:
         for expression, name in self.angles.items():
             result += [("c" + name, cos(expression, evaluate=False)), ("s" + name, sin(expression, evaluate=False))]
         result.extend((name, expression) for expression, name in self.derived.items())
+        result.extend((name, self.expression(ring, poly)) for name, (ring, poly) in self.entries.items())
         return result
+
+    def expression(self, ring: Ring, poly: Poly) -> Expr:
+        """A polynomial in constants and parameters as a cell."""
+        cells: dict[str, Expr] = {name: expression for expression, name in self.derived.items()}
+        for expression, name in self.angles.items():
+            cells["c" + name], cells["s" + name] = cos(expression), sin(expression)
+        cells |= {name: self.expression(*entry) for name, entry in self.entries.items() if name in ring}
+        terms = []
+        for monomial, coefficient in poly.terms():
+            value = fraction(coefficient)
+            factors = [
+                (cells[g.name] if g.name in cells else symbol(g.name)) ** exponent
+                for g, exponent in zip(ring.generators, monomial, strict=True)
+                if exponent
+            ]
+            terms.append(Mul(Rational(value.numerator, value.denominator), *factors))
+        return Add(*terms)
 
     def sample(self, generator: random.Random) -> dict[str, int]:
         """Values modulo the prime: exact where the field holds them, random points otherwise."""
         values = {name: generator.randrange(1, PRIME) for name in self.parameters}
         for expression, name in self.angles.items():
             values["c" + name], values["s" + name] = _angle_value(expression, generator)
+        turns: dict[Expr, Point] = {}
         for expression, name in self.derived.items():
-            squared = expression**2
-            root = None
-            if isinstance(squared, Rational):
-                value = int(squared.p) * pow(int(squared.q), -1, PRIME) % PRIME
-                root = sqrt_mod(value, PRIME)
-            values[name] = int(root) if root is not None else generator.randrange(1, PRIME)
+            values[name] = _derived_value(expression, turns, generator)
+        for name, (ring, poly) in self.entries.items():
+            values[name] = ring.evaluate(poly, values)
         return values
 
 
@@ -139,6 +163,21 @@ def _canonical(generic: Expr, quarters: int) -> tuple[Expr, int, int]:
     if generic != 0 and generic.could_extract_minus_sign():
         return -generic, -1, quarters
     return generic, 1, quarters
+
+
+def _derived_value(expression: Expr, turns: dict[Expr, Point], generator: random.Random) -> int:
+    """A derived constant: roots where the field has them, cosine and sine of one angle from one point."""
+    if isinstance(expression, (cos, sin)):
+        angle = expression.args[0]
+        if angle not in turns:
+            turns[angle] = _angle_value(angle, generator)
+        return turns[angle][isinstance(expression, sin)]
+    squared = expression**2
+    if isinstance(squared, Rational):
+        root = sqrt_mod(int(squared.p) * pow(int(squared.q), -1, PRIME) % PRIME, PRIME)
+        if root is not None:
+            return int(root)
+    return generator.randrange(1, PRIME)
 
 
 def _angle_value(expression: Expr, generator: random.Random) -> Point:

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from sympy import Add, Expr, Integer, Mul, Rational, pi
+from sympy import Expr, Integer, Rational, pi
 
-from kinsym.algebra.ring import Poly, Ring, Vector, apply, fraction, transpose
+from kinsym.algebra.ring import Poly, Ring, Vector, apply, transpose
 from kinsym.errors import RobotError
 from kinsym.kinematics.chain import Chain, build_chain
 from kinsym.kinematics.links import Rigid, turn_x, turn_z
@@ -80,7 +80,6 @@ def _craig(rows: list[Row]) -> tuple[Joint, ...]:
 class _Writer:
     def __init__(self, chain: Chain) -> None:
         self.chain, self.ring = chain, chain.ring
-        self._formulas = dict(chain.constants.formulas())
 
     def rows(self) -> tuple[list[Row], Rigid]:
         """Paul's rows, and what is left after the last."""
@@ -135,17 +134,7 @@ class _Writer:
 
     def expression(self, poly: Poly) -> Expr:
         """A polynomial in constants as a cell."""
-        names = [generator.name for generator in self.ring.generators]
-        terms = []
-        for monomial, coefficient in poly.terms():
-            value = fraction(coefficient)
-            factors = [
-                (self._formulas[name] if name in self._formulas else symbol(name)) ** exponent
-                for name, exponent in zip(names, monomial, strict=True)
-                if exponent
-            ]
-            terms.append(Mul(Rational(value.numerator, value.denominator), *factors))
-        return Add(*terms)
+        return self.chain.constants.expression(self.ring, poly)
 
     def _vector(self, vector: Vector) -> tuple[Expr, Expr, Expr]:
         x, y, z = vector

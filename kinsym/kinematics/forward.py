@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sympy import Integer
 
 from kinsym.algebra.nested import nested
-from kinsym.algebra.ring import Poly, Rotation, Vector
+from kinsym.algebra.ring import Poly, Rotation, Vector, fraction
 from kinsym.algebra.tree import ONE, ZERO, Tree
-from kinsym.kinematics.chain import Chain, Group
+from kinsym.kinematics.chain import Chain, Group, build_chain
 from kinsym.kinematics.links import Rigid, axis_frame, offset, turn_x, turn_z
 from kinsym.kinematics.moves import Moves
 from kinsym.robot.model import Convention, Joint
@@ -27,7 +27,10 @@ class Link:
 
 @dataclass(frozen=True, kw_only=True)
 class Forward:
-    """T of the end effector in the base frame: as polynomials (columns u, v, w, p) and as it is printed."""
+    """T of the end effector in the base frame as polynomials (columns u, v, w, p), and the table's product as printed.
+
+    ``pose`` is T itself where the robot has neither base nor tool, and T = base * pose * tool where it has.
+    """
 
     links: tuple[Link, ...]
     columns: tuple[Vector, Vector, Vector, Vector]
@@ -41,12 +44,33 @@ def forward_kinematics(chain: Chain) -> Forward:
     units: list[Vector] = [(one, zero, zero), (zero, one, zero), (zero, zero, one)]
     columns = [pose_direction(chain, chain.groups, unit) for unit in units]
     columns.append(pose_point(chain, chain.groups, (zero, zero, zero)))
-    rows = tuple(tuple(nested(ring, column[i]) for column in columns) for i in range(3))
+    shown = _of_table(chain) if chain.robot.base or chain.robot.tool else columns
+    rows = tuple(tuple(nested(ring, column[i]) for column in shown) for i in range(3))
     return Forward(
         links=tuple(_links(chain)),
         columns=(columns[0], columns[1], columns[2], columns[3]),
         pose=(*rows, (ZERO, ZERO, ZERO, ONE)),
     )
+
+
+def _of_table(chain: Chain) -> list[Vector]:
+    """The product of the table's links, without base and tool."""
+    bare = build_chain(replace(chain.robot, base=None, tool=None))
+    found = forward_kinematics(bare)
+    ring = chain.ring
+    names = [generator.name for generator in bare.ring.generators]
+
+    def moved(poly: Poly) -> Poly:
+        total = ring.zero
+        for monomial, coefficient in poly.terms():
+            term = ring.number(fraction(coefficient))
+            for name, exponent in zip(names, monomial, strict=True):
+                if exponent:
+                    term *= ring[name] ** exponent
+            total += term
+        return total
+
+    return [(moved(x), moved(y), moved(z)) for x, y, z in found.columns]
 
 
 def pose_direction(chain: Chain, groups: tuple[Group, ...], vector: Vector) -> Vector:

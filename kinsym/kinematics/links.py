@@ -39,6 +39,23 @@ class Rigid:
         """Where a point goes."""
         return plus(apply(ring, self.rotation, point), self.translation)
 
+    def entries(self, place: str) -> list[tuple[str, Poly]]:
+        """The twelve entries with names: base_ux is row x of column u."""
+        columns = (*transpose(self.rotation), self.translation)
+        return [
+            (f"{place}_{column}{row}", entry)
+            for column, vector in zip("uvwp", columns, strict=True)
+            for row, entry in zip("xyz", vector, strict=True)
+        ]
+
+    def named(self, ring: Ring, place: str) -> Rigid:
+        """The same transform with the names of its entries where the ring has them."""
+        u, v, w, p = (
+            tuple(ring[name] if name in ring else entry for name, entry in self.entries(place)[i : i + 3])  # noqa: SIM401
+            for i in (0, 3, 6, 9)
+        )
+        return Rigid(transpose((u, v, w)), p)
+
     def inverse(self, ring: Ring) -> Rigid:
         """The inverse transform."""
         turned = transpose(self.rotation)

@@ -52,6 +52,7 @@ _PATTERNS = (
     (re.compile(r"[in]\d+|real\d+|\w+_roots"), "such names count branches"),
     (re.compile(r"[hkw]_\d+(m\d+)*"), "such names are quantities of the derivation"),
     (re.compile(r"A\d+|T_\d+_\d+"), "such names are link transforms and poses"),
+    (re.compile(r"(base|end)_[uvwp][xyz]"), "such names are entries of the base and of the last link with the tool"),
     (re.compile(r"solve_\w+"), "such names are functions of the generated source"),
     (re.compile(r"(M|DBL|FLT|FP|INT|UINT|SIZE)_\w+"), "such names are constants of C"),
 )

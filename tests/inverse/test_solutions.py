@@ -5,16 +5,11 @@ The poses come from the generated forward kinematics, which other tests hold aga
 
 from __future__ import annotations
 
-import types
-from typing import Any
-
 import numpy as np
 import pytest
 
-from kinsym.emit import TARGETS
-from kinsym.emit.program import build_schedule
 from kinsym.robot.model import Task
-from tests.arms import NAMES, derivation
+from tests.arms import NAMES, derivation, numpy_module
 
 POSES = 500
 ENTRIES = {
@@ -27,14 +22,6 @@ ENTRIES = {
 }
 
 
-def solver(name: str) -> Any:
-    """The generated NumPy module of an arm, without files."""
-    module = types.ModuleType(name)
-    (source,) = TARGETS["numpy"](build_schedule(derivation(name))).values()
-    exec(compile(source, f"{name}.py", "exec"), module.__dict__)
-    return module
-
-
 def close(found: np.ndarray, wanted: np.ndarray, revolute: np.ndarray) -> np.ndarray:
     """The distance of joint vectors, angles taken modulo a turn."""
     difference = found - wanted
@@ -44,7 +31,7 @@ def close(found: np.ndarray, wanted: np.ndarray, revolute: np.ndarray) -> np.nda
 
 @pytest.mark.parametrize("name", NAMES)
 def test_solutions_reach_their_poses_and_none_is_lost(name: str) -> None:
-    module = solver(name)
+    module = numpy_module(name)
     generator = np.random.default_rng(7)
     parameters = {
         key: generator.uniform(0.2, 1.0) if value is None else value for key, value in module.PARAMETERS.items()
@@ -66,7 +53,7 @@ def test_solutions_reach_their_poses_and_none_is_lost(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_no_solution_comes_twice(name: str) -> None:
-    module = solver(name)
+    module = numpy_module(name)
     generator = np.random.default_rng(8)
     parameters = {
         key: generator.uniform(0.2, 1.0) if value is None else value for key, value in module.PARAMETERS.items()

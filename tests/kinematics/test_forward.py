@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+import numpy as np
 import pytest
 
 from kinsym.kinematics.chain import build_chain
 from kinsym.kinematics.forward import forward_kinematics
 from kinsym.robot.model import Robot
-from tests.arms import NAMES, derivation, robot
+from tests.arms import FRAMED, NAMES, derivation, numpy_module, robot
 from tests.kinematics.exact import of_chain, product, sample
 
-SKEW = ("skew_wrist", "skew_shoulder", "symbolic_pieper")
+SKEW = ("skew_wrist", "skew_shoulder", "symbolic_pieper", FRAMED)
 RIGHT_ANGLED = [name for name in NAMES if name not in SKEW]
 
 
@@ -80,3 +81,25 @@ def test_scara_sums_its_angles_with_signs() -> None:
 def test_links_multiply_to_the_pose() -> None:
     found = derivation("fanuc_s900w")
     assert [link.name for link in found.forward.links] == ["A1", "A2", "A3", "A4", "A5", "A6"]
+
+
+def test_base_and_tool_stand_around_the_table() -> None:
+    """T = base T' tool with rpy = Rz Ry Rx, and T' the arm without them; the oracle multiplies floats."""
+    framed, bare = numpy_module(FRAMED), numpy_module("ur5")
+    q = np.random.default_rng(3).uniform(-3.0, 3.0, (50, 6))
+    base = rigid((0.1, 0.7, 0.3), (0.3, 0.2, 0.1))
+    tool = rigid((0.0, 0.05, 0.12), (np.pi / 2, 0.0, np.pi / 4))
+    assert np.abs(framed.fk(q, h=0.7) - base @ bare.fk(q) @ tool).max() < 1e-14
+
+
+def rigid(xyz: tuple[float, ...], rpy: tuple[float, ...]) -> np.ndarray:
+    """A 4x4 transform from a position and roll, pitch, yaw."""
+    (cr, sr), (cp, sp), (cy, sy) = ((np.cos(angle), np.sin(angle)) for angle in rpy)
+    result = np.eye(4)
+    result[:3, :3] = [
+        [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
+        [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
+        [-sp, cp * sr, cp * cr],
+    ]
+    result[:3, 3] = xyz
+    return result

@@ -120,22 +120,26 @@ class _Writer(Formulas):
         )
 
     def product(self) -> str:
-        """The links with what stands before and behind them."""
-        robot = self.derivation.robot
+        """The links, with the home pose behind those of a screw table."""
         factors = [link(item.name) for item in self.derivation.forward.links]
-        if robot.home is not None:
+        if self.derivation.robot.home is not None:
             factors.append(r"\, [\,u_{0}\; v_{0}\; w_{0}\; q_{0}\,]")
-        if robot.base is not None:
-            factors.insert(0, _BASE + r" \,")
-        if robot.tool is not None:
-            factors.append(r"\, " + _TOOL)
         return " ".join(factors)
+
+    def framed(self) -> str:
+        """T between base and tool, empty where the robot has neither."""
+        robot = self.derivation.robot
+        if robot.base is None and robot.tool is None:
+            return ""
+        around = [*([_BASE] if robot.base else []), "T'", *([_TOOL] if robot.tool else [])]
+        return r" \, ".join(around)
 
     def entries(self) -> tuple[Block, ...]:
         """The twelve entries of the pose."""
         matrix = self.derivation.forward.pose
+        prime = "'" if self.framed() else ""
         return aligned(
-            Relation(left=self.names[name], right=self.formula(matrix[row][column]))
+            Relation(left=self.names[name].replace("_", f"{prime}_", 1), right=self.formula(matrix[row][column]))
             for column, names in enumerate(POSE)
             for row, name in names
         )
@@ -199,6 +203,8 @@ def document(derivation: Derivation) -> str:
         "letter": link_letter(robot),
         "links": writer.links(),
         "product": writer.product(),
+        "framed": writer.framed(),
+        "prime": "'" if writer.framed() else "",
         "entries": writer.entries(),
         "axes": writer.definitions(axis_definitions(derivation.forward, derivation.jacobian)),
         "jacobian": writer.jacobian(),

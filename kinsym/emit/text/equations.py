@@ -113,11 +113,18 @@ def links(forward: Forward, page: Page | None = None) -> str:
     return "\n\n".join(parts)
 
 
-def forward_kinematics(forward: Forward, page: Page | None = None) -> str:
-    """The twelve entries of the pose, nested by joint."""
+def forward_kinematics(derivation: Derivation, page: Page | None = None) -> str:
+    """The product of the links and its twelve entries, nested by joint; u' where base and tool stand around it."""
     page = page or Page()
+    forward, robot = derivation.forward, derivation.robot
+    product = " ".join([*(link.name for link in forward.links), *(["[u0 v0 w0 q0]"] if robot.home else [])])
+    around = [*(["base"] if robot.base else []), "T'", *(["tool"] if robot.tool else [])]
+    framed = len(around) > 1
+    head = f"  T' = {product} = [u' v' w' p'], T = {' '.join(around)}" if framed else f"  T = {product} = [u v w p]"
+    prime = "'" if framed else ""
     entries = ((name, forward.pose[row][column]) for column, name_row in enumerate(POSE) for row, name in name_row)
-    return "\n".join(page.equation(name, entry) for name, entry in entries)
+    lines = (page.equation(f"{name[0]}{prime}{name[1:]}", entry) for name, entry in entries)
+    return head + "\n\n" + "\n".join(lines)
 
 
 def jacobian(forward: Forward, jacobian: Jacobian, page: Page | None = None) -> str:
@@ -245,9 +252,6 @@ def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, f
     """
     page = Page(width=width, ascii=ascii)
     robot, plan = derivation.robot, derivation.plan
-    product = [link.name for link in derivation.forward.links]
-    product += ["[u0 v0 w0 q0]"] if robot.home else []
-    product = [*(["base"] if robot.base else []), *product, *(["tool"] if robot.tool else [])]
     title = one_line(robot.title) or robot.name
     found = joint_values(plan, page)
     sections = [
@@ -258,10 +262,7 @@ def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, f
     ]
     if full:
         sections.append(f"{_heading('Link transforms')}\n{links(derivation.forward, page)}")
-    sections.append(
-        f"{_heading('Forward kinematics')}\n"
-        f"  T = {' '.join(product)} = [u v w p]\n\n{forward_kinematics(derivation.forward, page)}"
-    )
+    sections.append(f"{_heading('Forward kinematics')}\n{forward_kinematics(derivation, page)}")
     if full:
         sections.append(f"{_heading('Jacobian')}\n{jacobian(derivation.forward, derivation.jacobian, page)}")
     sections.append(f"{_heading('Inverse kinematics')}\n{derivation_steps(robot, plan, page)}")
