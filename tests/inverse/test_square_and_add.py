@@ -7,8 +7,7 @@ import pytest
 
 from kinsym.inverse.plan import Plan
 from kinsym.inverse.rules import TITLES
-from tests.arms import NAMES, derivation
-from tests.inverse.test_solutions import solver
+from tests.arms import NAMES, derivation, numpy_module
 
 STARTS, STEPS = 300, 60
 
@@ -72,7 +71,7 @@ def by_newton(module: object, point: np.ndarray, parameters: dict[str, float], r
 
 def test_all_solutions_of_the_general_3r_arm_are_found() -> None:
     """As many as Newton's method finds from 300 random starts, at random points of random arms."""
-    module = solver("general_3r")
+    module = numpy_module("general_3r")
     random = np.random.default_rng(11)
     counts = []
     for _ in range(12):
@@ -88,7 +87,7 @@ def test_all_solutions_of_the_general_3r_arm_are_found() -> None:
 @pytest.mark.parametrize("axis", [1, 2])
 def test_solutions_are_exact_next_to_the_axes(distance: float, axis: int) -> None:
     """Where the point lies on axis 1 theta1 is free, on axis 2 theta2; next to them two roots are close."""
-    module = solver("general_3r")
+    module = numpy_module("general_3r")
     random = np.random.default_rng(2)
     tried = 0
     while tried < 20:
