@@ -10,12 +10,12 @@ import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from kinsym.algebra.convert import tree_of
 from kinsym.emit.environment import Delimiters, environment
 from kinsym.emit.latex.layout import SMALL, Block, Display, Matrix, Relation, aligned, chunks, matrices, table_fits
 from kinsym.emit.latex.names import link, pose
 from kinsym.emit.latex.passages import Formulas, Passages
 from kinsym.emit.latex.sentences import escape
-from kinsym.emit.prose.cells import cell_tree
 from kinsym.emit.prose.vocabulary import angle_sums, joint_angles
 from kinsym.emit.prose.wording import (
     CONVENTIONS,
@@ -49,7 +49,7 @@ class _Writer(Formulas):
 
     def vector(self, vector: Vector) -> str:
         """A vector of the table, as a row."""
-        return f"({', '.join(self.formula(cell_tree(cell)) for cell in vector)})"
+        return f"({', '.join(self.formula(tree_of(cell)) for cell in vector)})"
 
     def notation(self) -> tuple[Block, ...]:
         """The sums of angles that occur, with their shorthand."""
@@ -83,7 +83,7 @@ class _Writer(Formulas):
                 cells = ["" if vector is None else self.vector(vector) for vector in (joint.s, joint.s0)]
             else:
                 row = (joint.alpha, joint.a, joint.d, joint.theta)
-                cells = ["" if cell is None else self.formula(cell_tree(cell)) for cell in row]
+                cells = ["" if cell is None else self.formula(tree_of(cell)) for cell in row]
             rows.append((str(number), *cells))
         return tuple(rows)
 
@@ -101,7 +101,7 @@ class _Writer(Formulas):
         given = ((_BASE, robot.base), (_TOOL, robot.tool))
         return matrices(
             [
-                Matrix(name=name, cells=tuple(tuple(self.formula(cell_tree(cell)) for cell in row) for row in matrix))
+                Matrix(name=name, cells=tuple(tuple(self.formula(tree_of(cell)) for cell in row) for row in matrix))
                 for name, matrix in given
                 if matrix is not None
             ]

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from kinsym.algebra.convert import tree_of
 from kinsym.algebra.tree import Definition, Tree
-from kinsym.emit.prose.cells import cell_tree
 from kinsym.emit.prose.vocabulary import angle_sums, joint_angles
 from kinsym.emit.prose.wording import (
     CONVENTIONS,
@@ -47,7 +47,7 @@ def _heading(text: str) -> str:
 
 
 def _vector(vector: Vector, page: Page) -> str:
-    return f"({', '.join(page.formula(cell_tree(cell)) for cell in vector)})"
+    return f"({', '.join(page.formula(tree_of(cell)) for cell in vector)})"
 
 
 def table(robot: Robot, page: Page | None = None) -> str:
@@ -62,7 +62,7 @@ def table(robot: Robot, page: Page | None = None) -> str:
         if screw:
             texts = tuple("" if vector is None else _vector(vector, page) for vector in (joint.s, joint.s0))
         else:
-            texts = tuple("" if cell is None else page.formula(cell_tree(cell)) for cell in cells)
+            texts = tuple("" if cell is None else page.formula(tree_of(cell)) for cell in cells)
         rows.append((str(number), joint.kind, *texts))
     parts = [page.columns(rows)]
     if robot.home is not None:
@@ -71,7 +71,7 @@ def table(robot: Robot, page: Page | None = None) -> str:
         parts.append("  home pose: " + ", ".join(f"{name} = {_vector(vector, page)}" for name, vector in vectors))
     for name, fixed in (("base", robot.base), ("tool", robot.tool)):
         if fixed is not None:
-            cells_of = [[page.formula(cell_tree(cell)) for cell in row] for row in fixed]
+            cells_of = [[page.formula(tree_of(cell)) for cell in row] for row in fixed]
             parts.append(f"  {name}:\n{page.columns(cells_of, indent=4)}")
     return "\n".join(parts)
 
