@@ -350,7 +350,7 @@ int elbow_6r_screw_ik_near(const double T[16], const elbow_6r_screw_params *p,
 
         /* (2) theta234: homogeneous equation a c + b s = 0: c234*w_z - s234*w16_x = 0 */
         double c234_roots[2], s234_roots[2];
-        const int n2 = solve_homogeneous(w_z, -w16_x, tau, reference[1] + reference[2] + reference[3],
+        const int n2 = solve_homogeneous(-w_z, w16_x, tau, reference[1] + reference[2] + reference[3],
             c234_roots, s234_roots);
         for (int i2 = 0; i2 < n2; ++i2) {
             const double c234 = c234_roots[i2], s234 = s234_roots[i2];

@@ -245,7 +245,7 @@ def _solve(M, defect, reference, a2, a3, a4, d6):
     p16_x = c1 * p06_x + s1 * p06_y
 
     # (2) theta234: homogeneous equation a c + b s = 0: c234*w_z - s234*w16_x = 0
-    c234, s234, real2 = _homogeneous(w_z, -w16_x, tau, reference[1] + reference[2] + reference[3], axes=2)
+    c234, s234, real2 = _homogeneous(-w_z, w16_x, tau, reference[1] + reference[2] + reference[3], axes=2)
     theta234 = _angle(s234, c234)
 
     # (3) theta5: cosine and sine given directly: w16_z = -s5; c234*w16_x + s234*w_z = c5

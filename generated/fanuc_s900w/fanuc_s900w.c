@@ -386,7 +386,7 @@ int fanuc_s900w_ik_near(const double T[16], const fanuc_s900w_params *p,
 
             /* (4) theta4: homogeneous equation a c + b s = 0: c4*w16_z - s4*w36_x = 0 */
             double c4_roots[2], s4_roots[2];
-            const int n3 = solve_homogeneous(w16_z, -w36_x, tau, reference[3], c4_roots, s4_roots);
+            const int n3 = solve_homogeneous(-w16_z, w36_x, tau, reference[3], c4_roots, s4_roots);
             for (int i3 = 0; i3 < n3; ++i3) {
                 const double c4 = c4_roots[i3], s4 = s4_roots[i3];
                 const double theta4 = angle_of(s4, c4);

@@ -277,7 +277,7 @@ def _solve(M, defect, reference, a1, a2, a3, d4, d6):
     w36_z = s23 * w16_x - c23 * w_z
 
     # (4) theta4: homogeneous equation a c + b s = 0: c4*w16_z - s4*w36_x = 0
-    c4, s4, real3 = _homogeneous(w16_z, -w36_x, tau, reference[3], axes=3)
+    c4, s4, real3 = _homogeneous(-w16_z, w36_x, tau, reference[3], axes=3)
     theta4 = _angle(s4, c4)
 
     # T_4_6: what is known moved to the left side

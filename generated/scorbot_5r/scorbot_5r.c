@@ -335,7 +335,7 @@ int scorbot_5r_ik_near(const double T[16], const scorbot_5r_params *p,
     /* (1) theta1: homogeneous equation a c + b s = 0, stated twice: c1*p05_y - s1*p05_x = 0;
      * c1*w_y - s1*w_x = 0 */
     double c1_roots[2], s1_roots[2];
-    const int n1 = solve_homogeneous2(p05_y, -p05_x, tau * size, w_y, -w_x, tau, reference[0], c1_roots,
+    const int n1 = solve_homogeneous2(-p05_y, p05_x, tau * size, -w_y, w_x, tau, reference[0], c1_roots,
         s1_roots);
     for (int i1 = 0; i1 < n1; ++i1) {
         const double c1 = c1_roots[i1], s1 = s1_roots[i1];

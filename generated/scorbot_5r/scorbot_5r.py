@@ -210,7 +210,7 @@ def _solve(M, defect, reference, a1, d1, a2, a3, d5):
 
     # (1) theta1: homogeneous equation a c + b s = 0, stated twice: c1*p05_y - s1*p05_x = 0;
     # c1*w_y - s1*w_x = 0
-    c1, s1, real1 = _homogeneous2(p05_y, -p05_x, tau * size, w_y, -w_x, tau, reference[0], axes=1)
+    c1, s1, real1 = _homogeneous2(-p05_y, p05_x, tau * size, -w_y, w_x, tau, reference[0], axes=1)
     theta1 = _angle(s1, c1)
 
     # T_1_5: what is known moved to the left side

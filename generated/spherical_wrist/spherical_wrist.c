@@ -211,7 +211,7 @@ int spherical_wrist_ik_near(const double T[16], const spherical_wrist_params *p,
 
     /* (1) theta4: homogeneous equation a c + b s = 0: c4*w_y - s4*w_x = 0 */
     double c4_roots[2], s4_roots[2];
-    const int n1 = solve_homogeneous(w_y, -w_x, tau, reference[0], c4_roots, s4_roots);
+    const int n1 = solve_homogeneous(-w_y, w_x, tau, reference[0], c4_roots, s4_roots);
     for (int i1 = 0; i1 < n1; ++i1) {
         const double c4 = c4_roots[i1], s4 = s4_roots[i1];
         const double theta4 = angle_of(s4, c4);

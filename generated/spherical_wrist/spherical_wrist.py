@@ -164,7 +164,7 @@ def _solve(M, defect, reference):
     tau = 1.4210854715202004e-14 + defect
 
     # (1) theta4: homogeneous equation a c + b s = 0: c4*w_y - s4*w_x = 0
-    c4, s4, real1 = _homogeneous(w_y, -w_x, tau, reference[0], axes=1)
+    c4, s4, real1 = _homogeneous(-w_y, w_x, tau, reference[0], axes=1)
     theta4 = _angle(s4, c4)
 
     # T_1_3: what is known moved to the left side

@@ -325,7 +325,7 @@ int stanford_paul_ik_near(const double T[16], const stanford_paul_params *p,
 
         /* (2) theta2: homogeneous equation a c + b s = 0: c2*p16_x - s2*p06_z = 0 */
         double c2_roots[2], s2_roots[2];
-        const int n2 = solve_homogeneous(p16_x, -p06_z, tau * size, reference[1], c2_roots, s2_roots);
+        const int n2 = solve_homogeneous(-p16_x, p06_z, tau * size, reference[1], c2_roots, s2_roots);
         for (int i2 = 0; i2 < n2; ++i2) {
             const double c2 = c2_roots[i2], s2 = s2_roots[i2];
             const double theta2 = angle_of(s2, c2);
@@ -342,7 +342,7 @@ int stanford_paul_ik_near(const double T[16], const stanford_paul_params *p,
 
             /* (4) theta4: homogeneous equation a c + b s = 0: c4*w16_z - s4*w26_x = 0 */
             double c4_roots[2], s4_roots[2];
-            const int n3 = solve_homogeneous(w16_z, -w26_x, tau, reference[3], c4_roots, s4_roots);
+            const int n3 = solve_homogeneous(-w16_z, w26_x, tau, reference[3], c4_roots, s4_roots);
             for (int i3 = 0; i3 < n3; ++i3) {
                 const double c4 = c4_roots[i3], s4 = s4_roots[i3];
                 const double theta4 = angle_of(s4, c4);

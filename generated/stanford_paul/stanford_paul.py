@@ -243,7 +243,7 @@ def _solve(M, defect, reference, d2, d6):
     p16_x = c1 * p06_x + s1 * p06_y
 
     # (2) theta2: homogeneous equation a c + b s = 0: c2*p16_x - s2*p06_z = 0
-    c2, s2, real2 = _homogeneous(p16_x, -p06_z, tau * size, reference[1], axes=2)
+    c2, s2, real2 = _homogeneous(-p16_x, p06_z, tau * size, reference[1], axes=2)
     theta2 = _angle(s2, c2)
 
     # T_2_6: what is known moved to the left side
@@ -257,7 +257,7 @@ def _solve(M, defect, reference, d2, d6):
     d3 = p26_z
 
     # (4) theta4: homogeneous equation a c + b s = 0: c4*w16_z - s4*w26_x = 0
-    c4, s4, real3 = _homogeneous(w16_z, -w26_x, tau, reference[3], axes=3)
+    c4, s4, real3 = _homogeneous(-w16_z, w26_x, tau, reference[3], axes=3)
     theta4 = _angle(s4, c4)
 
     # T_4_6: what is known moved to the left side

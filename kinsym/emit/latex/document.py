@@ -19,7 +19,6 @@ from kinsym.emit.latex.sentences import escape
 from kinsym.emit.prose.vocabulary import angle_sums, joint_angles
 from kinsym.emit.prose.wording import (
     CONVENTIONS,
-    GATE,
     POSE,
     TASKS,
     axis_definitions,
@@ -29,6 +28,7 @@ from kinsym.emit.prose.wording import (
     found_by_sum,
     loops,
     marks_explained,
+    sifting,
 )
 from kinsym.inverse.cut import link_letter
 from kinsym.inverse.plan import Plan
@@ -216,7 +216,7 @@ def document(derivation: Derivation) -> str:
         "signs": marks_explained(plan)[0],
         "numbers": marks_explained(plan)[1],
         "branches": writer.branch_table() if forks else (),
-        "gate": GATE if plan.gate else "",
+        "gate": sifting(plan),
     }
     text = environment(_DELIMITERS).get_template("latex/document.tex.j2").render(context)
     return re.sub(r"\n{3,}", "\n\n", re.sub(r" +\n", "\n", text))

@@ -44,9 +44,18 @@ POSE = tuple(tuple((row, f"{column}_{axis}") for row, axis in enumerate("xyz")) 
 
 
 #: What the gate of a plan means to a reader.
-GATE = (
-    "The pose holds more than the joints can choose: a solution counts only if its forward kinematics reaches the pose."
-)
+_SIFTED = "a solution counts only if its forward kinematics reaches the pose."
+
+
+def sifting(plan: Plan) -> str:
+    """Why solutions are sifted at the end; empty where every solution counts."""
+    if not plan.gate:
+        return ""
+    if plan.task in (Task.PLANAR, Task.SCARA):
+        return f"The pose must lie in the plane of the arm: {_SIFTED}"
+    return f"The pose holds more than the joints can choose: {_SIFTED}"
+
+
 _PLACE = re.compile(r"row (\w), column (\w)( of the inverse)?")
 
 

@@ -13,7 +13,6 @@ from kinsym.algebra.tree import Definition, Tree
 from kinsym.emit.prose.vocabulary import angle_sums, joint_angles
 from kinsym.emit.prose.wording import (
     CONVENTIONS,
-    GATE,
     POSE,
     TASKS,
     Loop,
@@ -30,6 +29,7 @@ from kinsym.emit.prose.wording import (
     origins,
     rule_title,
     shown_items,
+    sifting,
 )
 from kinsym.emit.text.page import Page
 from kinsym.inverse.cut import link_letter
@@ -90,7 +90,8 @@ def parameters(robot: Robot) -> str:
 def notation(derivation: Derivation, page: Page | None = None) -> str:
     """What the shorthand of angles and constants stands for."""
     page = page or Page()
-    lines = ["  c1 = cos(theta1), s1 = sin(theta1), and so on"]
+    single = [angle for angle in derivation.chain.angles.values() if len(angle.terms) == 1]
+    lines = [f"  {a.cosine} = cos({a.name}), {a.sine} = sin({a.name}), and so on" for a in single[:1]]
     if angles := joint_angles(derivation):
         pairs = (f"{item.cosine} = cos({item.name}), {item.sine} = sin({item.name})" for item in angles)
         lines = [f"  {pair}" for pair in pairs]
@@ -241,7 +242,7 @@ def solutions(plan: Plan, page: Page | None = None) -> str:
         lines.append(page.columns([head, *((str(number), *marks) for number, marks in branch_rows(plan))]))
     if plan.gate:
         lines.append("")
-        lines.append(page.prose(GATE))
+        lines.append(page.prose(sifting(plan)))
     return "\n".join(lines)
 
 

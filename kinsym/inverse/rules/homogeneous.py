@@ -12,7 +12,7 @@ from functools import partial
 
 from kinsym.algebra.field import PRIME
 from kinsym.algebra.ring import POSE_ENTRIES
-from kinsym.algebra.tree import ZERO, Call, Definition, Tree, opposite, sum_of_squares
+from kinsym.algebra.tree import ZERO, Call, Definition, Tree, negative, opposite, sum_of_squares
 from kinsym.inverse.plan import Step
 from kinsym.inverse.rules.base import (
     Candidate,
@@ -58,13 +58,14 @@ def _independent(state: State, first: LinearForm, second: LinearForm) -> bool:
 def _build(state: State, form: LinearForm, others: list[LinearForm], names: Names) -> Outcome:
     angle = form.angle
     definitions: list[Definition] = []
-    a = names.short("kappa", state.tree(form.a), definitions)
-    b = names.short("kappa", state.tree(form.b), definitions)
+    sign = -1 if reads_better_negated(state.tree(form.a), state.tree(form.b)) else 1
+    a = names.short("kappa", state.tree(form.a * sign), definitions)
+    b = names.short("kappa", state.tree(form.b * sign), definitions)
     inputs: dict[str, Tree] = {"a": a, "b": b, "t": tolerance(form.equation.unit)}
     equations = [shown(state, form.equation)]
     for other in others:
-        inputs["a_alt"] = names.short("kappa", state.tree(other.a), definitions)
-        inputs["b_alt"] = names.short("kappa", state.tree(other.b), definitions)
+        inputs["a_alt"] = names.short("kappa", state.tree(other.a * sign), definitions)
+        inputs["b_alt"] = names.short("kappa", state.tree(other.b * sign), definitions)
         inputs["t_alt"] = tolerance(other.equation.unit)
         equations.append(shown(state, other.equation))
     step = Step(
@@ -87,3 +88,8 @@ def _build(state: State, form: LinearForm, others: list[LinearForm], names: Name
         why="one equation holds this angle alone and has no constant term",
     )
     return Outcome((step, angle_value(angle)), state.known.with_angle(edge(angle)))
+
+
+def reads_better_negated(a: Tree, b: Tree) -> bool:
+    """Whether Atan2(a, -b) has fewer signs than Atan2(-a, b): it then comes first."""
+    return negative(b) or (b == ZERO and not negative(a))
