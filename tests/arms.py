@@ -43,6 +43,12 @@ SHAPES = {
     "-pi/2 0 d4 theta4; pi/2 0 0 theta5; 0 0 d6 theta6",
     "pieper_first": "pi/2 0 0 theta1; -pi/2 0 0 theta2; pi/2 a3 d3 theta3; "
     "pi/2 a4 d4 theta4; pi/2 a5 d5 theta5; 0 a6 d6 theta6",
+    "parallel_123": "0 a1 d1 theta1; 0 a2 d2 theta2; pi/2 a3 d3 theta3; "
+    "pi/2 a4 d4 theta4; pi/2 a5 d5 theta5; 0 a6 d6 theta6",
+    "meeting_234": "pi/2 a1 d1 theta1; pi/2 0 d2 theta2; pi/2 0 0 theta3; "
+    "pi/2 a4 d4 theta4; pi/2 a5 d5 theta5; 0 a6 d6 theta6",
+    "meeting_345": "pi/2 a1 d1 theta1; pi/2 a2 d2 theta2; pi/2 0 d3 theta3; "
+    "pi/2 0 0 theta4; pi/2 a5 d5 theta5; 0 a6 d6 theta6",
     "five_joints": "pi/2 0 d1 theta1; 0 a2 0 theta2; pi/2 0 0 theta3; -pi/2 0 d4 theta4; 0 0 d5 theta5",
 }
 """Paul tables, cells alpha a d theta."""
