@@ -97,9 +97,9 @@ class JointValue:
 class Plan:
     """The inverse kinematics of one robot for one task.
 
-    ``maximum`` is the product of the branches. ``gate`` tells that the task has more equations than the arm has
-    joints, so that a solution counts only if its forward kinematics reaches the pose. ``angles`` are the
-    definitions of the angles that ``values`` add up, in the order they become known.
+    ``maximum`` is the product of the branches. ``gate`` tells that a pose may ask for more than the joints can choose,
+    so that a solution counts only if its forward kinematics reaches it. ``size`` is the arm's length, the unit of
+    tolerances, and ``tau`` the accuracy to which a pose is taken as given.
     """
 
     task: Task

@@ -5,12 +5,14 @@ Joint angles are points of the circle c = (1-t^2)/(1+t^2), s = 2t/(1+t^2); only 
 
 from __future__ import annotations
 
+import math
 import random
 from dataclasses import dataclass
 from fractions import Fraction
 
 from sympy import Expr, Integer, Rational, Symbol, pi
 
+from kinsym.algebra.tree import Num, Pow, Prod, Sum, Sym, Tree
 from kinsym.kinematics.chain import Chain
 from kinsym.robot.model import Convention, Joint, Robot
 
@@ -77,10 +79,15 @@ def _screws(robot: Robot, values: Values) -> Rows:
             ]
             moved = [s0[i] - sum(turned[i][j] * s0[j] for j in range(3)) for i in range(3)]
         total = times(total, [[*turned[i], moved[i]] for i in range(3)] + [[0, 0, 0, 1]])
-    home = robot.home
-    assert home is not None
-    columns = [[_length(cell, values) for cell in part] for part in (home.u0, home.v0, home.w0, home.q0)]
-    return times(total, [[column[i] for column in columns] for i in range(3)] + [[0, 0, 0, 1]])
+    return times(total, home(robot, values))
+
+
+def home(robot: Robot, values: Values) -> Rows:
+    """The home pose [u0 v0 w0 q0] of a table of screws."""
+    pose = robot.home
+    assert pose is not None
+    columns = [[_length(cell, values) for cell in part] for part in (pose.u0, pose.v0, pose.w0, pose.q0)]
+    return [[column[i] for column in columns] for i in range(3)] + [[0, 0, 0, 1]]
 
 
 def identity() -> Rows:
@@ -116,14 +123,8 @@ def _angle(cell: Expr, joint: Joint, values: Values) -> Circle:
 
 
 def of_chain(chain: Chain, values: Values, poly: object) -> Fraction:
-    """A polynomial of the ring at the same values; sums of angles follow from their parts."""
-    numbers = dict(values.number)
-    for angle in chain.angles.values():
-        c, s = Fraction(1), Fraction(0)
-        for variable, sign in angle.terms:
-            c2, s2 = values.circle[variable]
-            c, s = c * c2 - s * s2 * sign, s * c2 + c * s2 * sign
-        numbers[angle.cosine], numbers[angle.sine] = c, s
+    """A polynomial of the ring at the same values."""
+    numbers = _numbers(chain, values)
     total = Fraction(0)
     for monomial, coefficient in poly.terms():  # type: ignore[attr-defined]
         term = Fraction(int(coefficient.numerator), int(coefficient.denominator))
@@ -132,3 +133,37 @@ def of_chain(chain: Chain, values: Values, poly: object) -> Fraction:
                 term *= numbers[generator.name] ** exponent
         total += term
     return total
+
+
+def of_tree(chain: Chain, values: Values, tree: Tree) -> Fraction:
+    """An expression as it is printed, at the same values."""
+    numbers = _numbers(chain, values)
+
+    def value(part: Tree) -> Fraction:
+        match part:
+            case Num(number):
+                return number
+            case Sym(name):
+                return numbers[name]
+            case Sum(terms):
+                return sum(map(value, terms), Fraction(0))
+            case Prod(factors):
+                return math.prod(map(value, factors), start=Fraction(1))
+            case Pow(base, exponent):
+                return value(base) ** exponent
+            case _:
+                raise TypeError(f"{part} does not occur in a link transform")
+
+    return value(tree)
+
+
+def _numbers(chain: Chain, values: Values) -> dict[str, Fraction]:
+    """Every generator of the ring by name; sums of angles follow from their parts."""
+    numbers = dict(values.number)
+    for angle in chain.angles.values():
+        c, s = Fraction(1), Fraction(0)
+        for variable, sign in angle.terms:
+            c2, s2 = values.circle[variable]
+            c, s = c * c2 - s * s2 * sign, s * c2 + c * s2 * sign
+        numbers[angle.cosine], numbers[angle.sine] = c, s
+    return numbers

@@ -11,7 +11,7 @@ from kinsym.kinematics.chain import build_chain
 from kinsym.kinematics.forward import forward_kinematics
 from kinsym.robot.model import Robot
 from tests.arms import FRAMED, NAMES, derivation, numpy_module, robot
-from tests.kinematics.exact import of_chain, product, sample
+from tests.kinematics.exact import home, identity, of_chain, of_tree, product, sample, times
 
 SKEW = ("skew_wrist", "skew_shoulder", "symbolic_pieper", FRAMED)
 RIGHT_ANGLED = [name for name in NAMES if name not in SKEW]
@@ -78,9 +78,26 @@ def test_scara_sums_its_angles_with_signs() -> None:
     assert [group.joints for group in chain.groups] == [(0, 1, 2, 3)]
 
 
-def test_links_multiply_to_the_pose() -> None:
-    found = derivation("fanuc_s900w")
-    assert [link.name for link in found.forward.links] == ["A1", "A2", "A3", "A4", "A5", "A6"]
+@pytest.mark.parametrize("name", RIGHT_ANGLED)
+def test_the_links_that_are_shown_multiply_to_the_pose(name: str) -> None:
+    """A1 A2 ... An for a Denavit-Hartenberg table, times the home pose for screws."""
+    arm, found = robot(name), derivation(name)
+    values = sample(arm, 5)
+    total = identity()
+    for number, link in enumerate(found.forward.links, start=1):
+        assert link.name == f"A{number}"
+        total = times(total, [[of_tree(found.chain, values, cell) for cell in row] for row in link.matrix])
+    if arm.home is not None:
+        total = times(total, home(arm, values))
+    assert total == product(arm, values)
+
+
+@pytest.mark.parametrize("name", RIGHT_ANGLED)
+def test_the_nested_pose_is_the_product_of_the_table(name: str) -> None:
+    arm, found = robot(name), derivation(name)
+    values = sample(arm, 6)
+    shown = [[of_tree(found.chain, values, cell) for cell in row] for row in found.forward.pose]
+    assert shown == product(arm, values)
 
 
 def test_base_and_tool_stand_around_the_table() -> None:
