@@ -53,7 +53,6 @@ class Step:
     inputs        the kernel's arguments by name, each a tree over known names.
     outputs       ``("c1", "s1")`` for an angle, ``("d3",)`` for a length, plus what the kernel gives beside it.
     branches      how many values at most the unknown takes for each branch before it: 1, 2 or 4.
-    unit          exponent of length in the equation: 0 (rotation), 1 (position) or 2 (squared distance).
     reference     the joints whose reference values are added (with these signs) when the unknown is free.
     solution      the formula a reader sees, over the names in coefficients.
     condition     when there is a real solution, in words and symbols; empty if always.
@@ -69,7 +68,6 @@ class Step:
     inputs: dict[str, Tree]
     outputs: tuple[str, ...]
     branches: int
-    unit: int
     reference: tuple[tuple[str, int], ...]
     solution: tuple[tuple[str, Tree], ...]
     condition: tuple[Tree, str, Tree] | None

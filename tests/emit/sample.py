@@ -96,7 +96,6 @@ def step(
         inputs={},
         outputs=(),
         branches=branches,
-        unit=0,
         reference=(),
         solution=tuple((name, tree(value)) for name, value in solution.items()),
         condition=_relation(condition),

@@ -42,7 +42,6 @@ def solve(level: int, rule: str, outputs: str, branches: int, reference: str = "
         inputs={name: tree(value) for name, value in inputs.items()},
         outputs=tuple(outputs.split()),
         branches=branches,
-        unit=1,
         reference=signs,
         solution=(),
         condition=None,

@@ -77,7 +77,6 @@ def _build(state: State, form: LinearForm, others: list[LinearForm], names: Name
         inputs=inputs,
         outputs=(angle.cosine, angle.sine),
         branches=2,
-        unit=form.equation.unit,
         reference=angle.terms,
         solution=(
             (angle.name, Call("atan2", (opposite(a), b))),

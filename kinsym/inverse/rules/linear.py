@@ -56,7 +56,6 @@ def _build(state: State, form: LinearForm, names: Names) -> Outcome:
         inputs={"a": a, "b": b, "e": e, "t": tolerance(form.equation.unit)},
         outputs=(angle.cosine, angle.sine),
         branches=2,
-        unit=form.equation.unit,
         reference=angle.terms,
         solution=((angle.name, PlusMinus(Call("atan2", (b, a)), Call("atan2", (root, e)))),),
         condition=(radius, ">=", sum_of_squares(e)),

@@ -92,7 +92,6 @@ def _direct(state: State, first: LinearForm, second: LinearForm, determinant: Po
         inputs={"c": c, "s": s},
         outputs=(angle.cosine, angle.sine),
         branches=1,
-        unit=max(first.equation.unit, second.equation.unit),
         reference=angle.terms,
         solution=((angle.cosine, c), (angle.sine, s), (angle.name, value.value)),
         condition=None,
@@ -133,7 +132,6 @@ def _quotient(state: State, first: LinearForm, second: LinearForm, names: Names)
         inputs={"x": x, "y": y, "d": d, "t": t},
         outputs=(angle.cosine, angle.sine),
         branches=1,
-        unit=max(first.equation.unit, second.equation.unit),
         reference=angle.terms,
         solution=(
             (angle.cosine, Quot(x, d)),

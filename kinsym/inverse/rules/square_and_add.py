@@ -128,7 +128,6 @@ def _build(state: State, pair: Pair, again: Pair, names: Names) -> Outcome:
     second = vectors if again is pair else form(again)
     error = _error(state, pair)
     equations = tuple(dict.fromkeys(shown(state, equation) for equation in (*pair.equations, *again.equations)))
-    unit = max(equation.unit for equation in pair.equations)
     other, turned = pair.other, pair.turned
     c, s = Sym(other.cosine), Sym(other.sine)
     lines, other_lines = ([_sum([mul(p, c), mul(q, s), r]) for p, q, r in part] for part in (vectors, second))
@@ -146,7 +145,6 @@ def _build(state: State, pair: Pair, again: Pair, names: Names) -> Outcome:
         inputs=inputs,
         outputs=(other.cosine, other.sine),
         branches=4,
-        unit=unit,
         reference=other.terms,
         solution=(*(("0", statement) for statement in statements), *_half_angle(other)),
         condition=None,
@@ -156,7 +154,7 @@ def _build(state: State, pair: Pair, again: Pair, names: Names) -> Outcome:
     )
     values: list[Definition] = []
     sides = [names.short("kappa", line, values) for line in lines]
-    follow = _turn_step(names, turned, sides, error=error, equations=equations, unit=unit)
+    follow = _turn_step(names, turned, sides, error=error, equations=equations)
     known = state.known.with_angle(edge(other)).with_angle(edge(turned))
     return Outcome((step, angle_value(other), *values, follow, angle_value(turned)), known)
 
@@ -216,7 +214,7 @@ def _error(state: State, pair: Pair) -> Tree:
 
 
 def _turn_step(
-    names: Names, angle: Angle, vectors: list[Tree], *, error: Tree, equations: tuple[Equation, ...], unit: int
+    names: Names, angle: Angle, vectors: list[Tree], *, error: Tree, equations: tuple[Equation, ...]
 ) -> Step:
     """The turned angle; it is free where both vectors, (k1, k2) and (X, Y), vanish."""
     x, y, k1, k2 = vectors
@@ -231,7 +229,6 @@ def _turn_step(
         inputs={"x": c, "y": s, "d": d, "t": Pow(error, 2)},
         outputs=(angle.cosine, angle.sine),
         branches=1,
-        unit=unit,
         reference=angle.terms,
         solution=(
             (angle.cosine, Quot(c, d)),

@@ -187,7 +187,6 @@ def _build(state: State, triangle: Triangle, names: Names) -> Outcome:
         inputs={"x": px, "y": py, "l1": l1, "l2": l2, "t": t},
         outputs=(k.name, w.name, along.name),
         branches=2,
-        unit=1,
         reference=elbow.terms,
         solution=(
             (k.name, Quot(sub(sub(rho, sum_of_squares(l1)), sum_of_squares(l2)), mul(number(2), l1))),
@@ -218,7 +217,6 @@ def _build(state: State, triangle: Triangle, names: Names) -> Outcome:
         },
         outputs=(first.angle.cosine, first.angle.sine),
         branches=1,
-        unit=1,
         reference=first.angle.terms,
         solution=((first.angle.name, _direction(px, py, along, w, sense)),),
         condition=None,
