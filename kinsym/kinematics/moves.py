@@ -18,7 +18,7 @@ class Moves:
     def __init__(self, ring: Ring, group: Group, turn: TurnOf) -> None:
         self.ring, self.group, self._turn = ring, group, turn
 
-    def _rotated(self, start: int, end: int, vector: Vector) -> Vector:
+    def rotated(self, start: int, end: int, vector: Vector) -> Vector:
         """A vector turned about z by the angle from one node to another."""
         c, s = self._turn(self.group.index, start, end)
         x, y, z = vector
@@ -32,7 +32,7 @@ class Moves:
         """The group's translation in the frame before it."""
         total: Vector = (self.ring.zero,) * 3
         for node, arm in enumerate(self.group.arms):
-            total = plus(total, self._rotated(0, node, arm))
+            total = plus(total, self.rotated(0, node, arm))
         return total
 
     @cached_property
@@ -40,7 +40,7 @@ class Moves:
         """The same translation in the frame after the rotation about z, before the constant turn."""
         total: Vector = (self.ring.zero,) * 3
         for node, arm in enumerate(self.group.arms):
-            total = plus(total, self._rotated(self.group.last, node, arm))
+            total = plus(total, self.rotated(self.group.last, node, arm))
         return total
 
     @cached_property
@@ -51,12 +51,12 @@ class Moves:
         for i, first in enumerate(arms):
             total += ring.dot(first, first)
             for j in range(i + 1, len(arms)):
-                total += 2 * ring.dot(first, self._rotated(i, j, arms[j]))
+                total += 2 * ring.dot(first, self.rotated(i, j, arms[j]))
         return ring.reduce(total)
 
     def direction(self, vector: Vector) -> Vector:
         """A direction after the group, seen from before it."""
-        return self._rotated(0, self.group.last, apply(self.ring, self.group.turned, vector))
+        return self.rotated(0, self.group.last, apply(self.ring, self.group.turned, vector))
 
     def point(self, vector: Vector) -> Vector:
         """A point after the group, seen from before it."""
@@ -64,11 +64,11 @@ class Moves:
 
     def direction_back(self, vector: Vector) -> Vector:
         """A direction before the group, seen from after it."""
-        return apply(self.ring, transpose(self.group.turned), self._rotated(self.group.last, 0, vector))
+        return apply(self.ring, transpose(self.group.turned), self.rotated(self.group.last, 0, vector))
 
     def point_back(self, vector: Vector) -> Vector:
         """A point before the group, seen from after it."""
-        turned = self._rotated(self.group.last, 0, vector)
+        turned = self.rotated(self.group.last, 0, vector)
         return apply(self.ring, transpose(self.group.turned), plus(turned, minus(self.back_reach)))
 
     def point_squared(self, vector: Vector, squared: Poly) -> Poly:
