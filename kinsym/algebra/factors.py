@@ -14,7 +14,7 @@ from kinsym.algebra.half_angle import HalfAngles, Piece
 from kinsym.algebra.ring import Poly, Ring
 
 #: A polynomial with more terms in half angles than this is not factored: its time would not be bounded.
-LARGEST = 200
+LARGEST = 120
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """Polynomials in cosines and sines as polynomials in the tangents of half the angles, where factors are unique.
 
-Modulo c^2 + s^2 = 1 a polynomial can have several factorisations: s^2 = (1 - c)(1 + c). With c = (x^2 - y^2)/(x^2 + y^2)
-and s = 2xy/(x^2 + y^2), x and y the cosine and sine of half the angle, it becomes homogeneous in x and y, and those
+Modulo c^2 + s^2 = 1 a polynomial can have several factorisations: s^2 = (1 - c)(1 + c). With x and y the cosine and
+sine of half the angle, c = x^2 - y^2, s = 2xy and 1 = x^2 + y^2, it becomes homogeneous in x and y, and those
 factor in one way only. Homogeneous factors of even degree are polynomials in c and s again; factors of odd degree
 (x, y, x - y) come in pairs: s = 2xy, c = (x - y)(x + y), 1 + c = 2x^2.
 """
@@ -65,7 +65,7 @@ class HalfAngles:
         return Piece(total, tuple(2 * degree for degree in high))
 
     def factors(self, whole: Piece) -> list[Piece]:
-        """The irreducible factors of a homogeneous polynomial, repeated as often as they divide it, numbers left out."""
+        """The irreducible factors of a homogeneous polynomial, as often as they divide it; numbers are left out."""
         found = []
         for poly, power in whole.poly.factor_list()[1]:
             found += [Piece(poly, tuple(poly.degree(place) for place in range(len(self.circles))))] * power

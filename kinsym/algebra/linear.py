@@ -56,3 +56,28 @@ def kernel(rows: Sequence[Sequence[int]]) -> list[list[int]]:
             vector[column] = -matrix[row][free] % PRIME
         basis.append(vector)
     return basis
+
+
+def determinant(rows: Sequence[Sequence[int]]) -> int:
+    """The determinant of a square matrix.
+
+    >>> determinant([[2, 1], [1, 3]])
+    5
+    """
+    matrix = [list(row) for row in rows]
+    value = 1
+    for column in range(len(matrix)):
+        row = next((i for i in range(column, len(matrix)) if matrix[i][column] % PRIME), None)
+        if row is None:
+            return 0
+        if row != column:
+            matrix[row], matrix[column] = matrix[column], matrix[row]
+            value = -value
+        value = value * matrix[column][column] % PRIME
+        scale = inverse(matrix[column][column])
+        for line in matrix[column + 1 :]:
+            factor = line[column] * scale % PRIME
+            line[column:] = [
+                (a - factor * b) % PRIME for a, b in zip(line[column:], matrix[column][column:], strict=True)
+            ]
+    return value % PRIME

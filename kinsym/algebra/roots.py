@@ -13,7 +13,7 @@ _SHIFTS = 32
 
 
 def roots(poly: Coefficients) -> list[int]:
-    """The roots that lie in the field, in increasing order; every element is one of the zero polynomial, none is listed.
+    """The roots that lie in the field, in increasing order; of the zero polynomial none is listed.
 
     >>> roots([6, -5, 1])
     [2, 3]

@@ -1,9 +1,10 @@
 """The joint screws of a chain, seen from where they are sparse.
 
-The determinant of a Jacobian is the same in every frame and for every point of the hand that is followed: turning
-the frame multiplies it by the determinant of a rotation, moving the point adds angular rows to linear ones. So it is
-written in a frame in the middle of the arm, at a point that many axes pass through (for a spherical wrist its centre),
-where most entries are zero and no sum of angles meets another sum of the same group.
+The determinant of a Jacobian is the same in every frame and for every point of the end effector that is followed:
+turning the frame multiplies it by the determinant of a rotation, moving the point adds angular rows to linear ones. So
+it is written in a frame in the middle of the arm, at a point that many axes pass through (for a spherical wrist its
+centre). There most entries are zero, and the angles of a group all count from the node next to that frame, so that
+they are independent of one another.
 """
 
 from __future__ import annotations
@@ -26,21 +27,21 @@ class Screw:
 
 @dataclass(frozen=True)
 class View:
-    """The joints and the end effector, seen from a frame between two groups.
-
-    ``angles`` are the angles that occur in it, each from the node next to the cut: their cosines and sines are
-    independent of one another.
-    """
+    """The joints, the end effector's point and its direction w, seen from a frame between two groups."""
 
     screws: tuple[Screw, ...]
     end: Vector
     approach: Vector
 
     @property
+    def points(self) -> list[Vector]:
+        """The points of the axes and the end effector's, each once."""
+        return list(dict.fromkeys([*(s.point for s in self.screws if s.point is not None), self.end]))
+
+    @property
     def terms(self) -> int:
         """How much there is to write."""
-        vectors = [screw.direction for screw in self.screws]
-        vectors += [screw.point for screw in self.screws if screw.point is not None]
+        vectors = [vector for screw in self.screws for vector in (screw.direction, screw.point) if vector is not None]
         return sum(len(entry) for vector in vectors for entry in vector)
 
 
@@ -50,15 +51,15 @@ def views(chain: Chain) -> Iterator[View]:
         yield _view(chain, cut)
 
 
-def moments(ring: Ring, screws: tuple[Screw, ...], point: Vector) -> list[Vector]:
-    """The velocity that each joint gives to a point."""
-    found: list[Vector] = []
-    for screw in screws:
-        if screw.point is None:
-            found.append(screw.direction)
-        else:
-            found.append(cross(ring, screw.direction, plus(point, minus(screw.point))))
-    return found
+def columns(ring: Ring, screws: tuple[Screw, ...], point: Vector) -> list[tuple[Poly, ...]]:
+    """The Jacobian's columns: the velocity that each joint gives to a point, and its angular velocity."""
+    zero = ring.zero
+    return [
+        (*screw.direction, zero, zero, zero)
+        if screw.point is None
+        else (*cross(ring, screw.direction, plus(point, minus(screw.point))), *screw.direction)
+        for screw in screws
+    ]
 
 
 def cross(ring: Ring, left: Vector, right: Vector) -> Vector:
@@ -74,14 +75,12 @@ def _view(chain: Chain, cut: int) -> View:
     screws = []
     for group in chain.groups:
         for position in group.joints:
-            direction, point = _within(chain, group, position, behind=group.index < cut)
-            if group.index < cut:
-                between = whole[group.index + 1 : cut]
-                for move in between:
-                    direction, point = move.direction_back(direction), move.point_back(point)
-            else:
-                for move in reversed(whole[cut : group.index]):
-                    direction, point = move.direction(direction), move.point(point)
+            behind = group.index < cut
+            direction, point = _within(chain, group, position, behind=behind)
+            for move in whole[group.index + 1 : cut]:
+                direction, point = move.direction_back(direction), move.point_back(point)
+            for move in reversed(whole[cut : group.index]):
+                direction, point = move.direction(direction), move.point(point)
             screws.append(Screw(direction, point if chain.joints[position].kind == "R" else None))
     end: Vector = (zero, zero, zero)
     approach: Vector = (zero, zero, one)
@@ -109,8 +108,3 @@ def _within(chain: Chain, group: Group, position: int, *, behind: bool) -> tuple
         back = transpose(full.turned)
         return apply(ring, back, direction), apply(ring, back, plus(point, minus(move.back_reach)))
     return direction, point
-
-
-def entries(rows: list[list[Poly]]) -> int:
-    """How many terms a matrix has."""
-    return sum(len(entry) for row in rows for entry in row)

@@ -19,6 +19,7 @@ from kinsym.kinematics.trees import Edges, path, spanning_trees
 
 #: About every second try has a root in the field.
 TRIES = 40
+_QUARTERS: tuple[Point, ...] = ((1, 0), (0, 1), (PRIME - 1, 0), (0, PRIME - 1))
 
 
 @dataclass(frozen=True)
@@ -34,6 +35,10 @@ class Part:
     quarters: int = 0
 
 
+Zero = tuple[Part, ...]
+"""Parts that meet; all but the last of them are given values of a joint."""
+
+
 def parts(chain: Chain, poly: Poly) -> tuple[Part, ...]:
     """The parts of a factor's zeros: ``s5 = 0`` is theta5 = 0 and theta5 = pi."""
     ring = chain.ring
@@ -47,9 +52,9 @@ def parts(chain: Chain, poly: Poly) -> tuple[Part, ...]:
     return (Part(poly),)
 
 
-def postures(chain: Chain, part: Part, count: int) -> list[Posture]:
-    """Random postures of a part, ``count`` of them or, where the field has no root, fewer."""
-    trees = _trees(chain, part.poly)
+def postures(chain: Chain, zero: Zero, count: int) -> list[Posture]:
+    """Random postures at which all parts meet, ``count`` of them or, where the field has no root, fewer."""
+    trees = _trees(chain, zero)
     found: list[Posture] = []
     for number in range(TRIES):
         if len(found) == count:
@@ -57,7 +62,7 @@ def postures(chain: Chain, part: Part, count: int) -> list[Posture]:
         generator = random.Random(f"zeros {number}")
         values = chain.sample(generator)
         points = {edge: circle_point(generator) for edge in sorted(trees)}
-        solved = _solved(chain, part, values, points, number)
+        solved = _solved(chain, zero, values, points, number)
         if solved is not None:
             found.append(posture(chain, solved))
     return found
@@ -71,9 +76,9 @@ def somewhere(chain: Chain, count: int) -> list[Posture]:
 _Edge = tuple[int, int, int]
 
 
-def _trees(chain: Chain, poly: Poly) -> dict[_Edge, Angle]:
-    """Independent angles of every group, those of a polynomial among them."""
-    used = set(chain.ring.used(poly))
+def _trees(chain: Chain, zero: Zero) -> dict[_Edge, Angle]:
+    """Independent angles of every group, those of the polynomials among them."""
+    used = {name for part in zero for name in chain.ring.used(part.poly)}
     chosen: dict[_Edge, Angle] = {}
     for group in chain.groups:
         own = {(low, high): angle for (g, low, high), angle in chain.angles.items() if g == group.index}
@@ -86,36 +91,57 @@ def _trees(chain: Chain, poly: Poly) -> dict[_Edge, Angle]:
 
 
 def _solved(
-    chain: Chain, part: Part, values: dict[str, int], points: dict[_Edge, Point], number: int
+    chain: Chain, zero: Zero, values: dict[str, int], points: dict[_Edge, Point], number: int
 ) -> dict[str, int] | None:
-    """Values of all generators with the polynomial zero, or None if the field has no root."""
-    ring, angles = chain.ring, chain.angles
-    used = ring.used(part.poly)
-    edges = [edge for edge in points if {angles[edge].cosine, angles[edge].sine} & set(used)]
-    lengths = [name for name in used if ring.generators[ring.index[name]].kind is Kind.LENGTH]
-    if part.variable in values:
-        values[part.variable] = 0
-    elif part.variable:
-        (edge,) = edges
-        points[edge] = ((1, 0), (0, 1), (PRIME - 1, 0), (0, PRIME - 1))[part.quarters]
-    else:
-        unknown = [*edges, *lengths][number % (len(edges) + len(lengths))]
-        for edge, (c, s) in points.items():
-            values[angles[edge].cosine], values[angles[edge].sine] = c, s
+    """Values of all generators with the polynomials zero, or None if the field has no root."""
+    angles = chain.angles
+    given = [part for part in zero if part.variable]
+    fixed = {part.variable for part in given}
+    for part in given:
+        if part.variable in values:
+            values[part.variable] = 0
+        else:
+            points[_edges(chain, part.poly, points)[0]] = _QUARTERS[part.quarters]
+    for edge, (c, s) in points.items():
+        values[angles[edge].cosine], values[angles[edge].sine] = c, s
+    for part in zero[len(given) :]:
+        lengths = [name for name in _lengths(chain, part.poly) if name not in fixed]
+        edges = [edge for edge in _edges(chain, part.poly, points) if angles[edge].name not in fixed]
+        if not edges and not lengths:
+            return None
+        unknowns: list[str | _Edge] = [*edges, *lengths]
+        unknown = unknowns[number % len(unknowns)]
         if isinstance(unknown, str):
             found = roots(_in_length(chain, part.poly, unknown, values))
             if not found:
                 return None
             values[unknown] = found[0]
         else:
-            angle = angles[unknown]
-            for y in roots(_in_angle(chain, part.poly, angle, values)):
-                if scale := (1 + y * y) % PRIME:
-                    points[unknown] = ((1 - y * y) * inverse(scale) % PRIME, 2 * y * inverse(scale) % PRIME)
-                    break
-            else:
+            point = _point(roots(_in_angle(chain, part.poly, angles[unknown], values)))
+            if point is None:
                 return None
+            points[unknown] = point
     return {**values, **_intervals(chain, points)}
+
+
+def _point(tangents: list[int]) -> Point | None:
+    """The point of the circle with the first of these tangents of half its angle that has one."""
+    for y in tangents:
+        if scale := (1 + y * y) % PRIME:
+            return (1 - y * y) * inverse(scale) % PRIME, 2 * y * inverse(scale) % PRIME
+    return None
+
+
+def _edges(chain: Chain, poly: Poly, points: dict[_Edge, Point]) -> list[_Edge]:
+    """The independent angles that occur in a polynomial."""
+    used = set(chain.ring.used(poly))
+    return [edge for edge in points if {chain.angles[edge].cosine, chain.angles[edge].sine} & used]
+
+
+def _lengths(chain: Chain, poly: Poly) -> list[str]:
+    """The prismatic variables that occur in a polynomial."""
+    ring = chain.ring
+    return [name for name in ring.used(poly) if ring.generators[ring.index[name]].kind is Kind.LENGTH]
 
 
 def _in_length(chain: Chain, poly: Poly, name: str, values: dict[str, int]) -> list[int]:
