@@ -1,0 +1,198 @@
+"""Families of solutions: where a joint is free, what follows it and what stays constant.
+
+At a singular posture one combination of the joints moves nothing: the kernel of J. If that motion keeps the
+condition for the posture to be singular, it can go on, and the pose has a whole curve of solutions; otherwise two
+solutions meet there. Along the curve the kernel tells what is constant: theta4 + theta6 if the entries of joints 4 and 6
+are always opposite. All of it is read from random postures modulo the prime; which joint the curve is named by is
+read from the plan, the one whose step is degenerate there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import combinations, product
+
+from kinsym.algebra.field import PRIME
+from kinsym.algebra.linear import kernel
+from kinsym.algebra.residues import residue_of
+from kinsym.algebra.tree import ZERO, Definition, Num, Pi, Pow, Sum, Sym, Tree, add, mul, symbols
+from kinsym.inverse.plan import Plan, Step, Window
+from kinsym.kinematics.chain import Chain
+from kinsym.kinematics.conditions import POSTURES, Condition
+from kinsym.kinematics.posture import Posture
+from kinsym.kinematics.singular import SingularSet
+from kinsym.kinematics.zeros import Zero, postures
+
+Relation = tuple[Tree, str, Tree]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Family:
+    """Solutions that one free joint tells apart.
+
+    conditions    what must hold, left side, sign, right side: ``theta5 = 0``.
+    free          the joint, or sum of joints, that can be chosen: it takes its reference value.
+    constant      what does not change along the family: sums and single joints, shortest first.
+    follows       the joints that change with the free one.
+    folded        the family needs two links of equal length, folded onto each other.
+
+    Where the plan provides for a family that no single condition of the singular set leads to, ``constant`` and
+    ``follows`` are empty.
+    """
+
+    conditions: tuple[Relation, ...]
+    free: str
+    constant: tuple[Tree, ...] = ()
+    follows: tuple[str, ...] = ()
+    folded: bool = False
+
+
+Motion = tuple[int, ...]
+"""How fast each joint moves, modulo the prime."""
+
+#: Sums of at most so many joints are tried as constants.
+LONGEST_SUM = 4
+
+
+def families(chain: Chain, singular: SingularSet, plan: Plan) -> tuple[Family, ...]:
+    """The families of an arm's inverse kinematics: those of its singular set, then what else the plan provides for."""
+    found: list[Family] = []
+    matched: set[str] = set()
+    for condition in singular.conditions:
+        for zero in condition.zeros:
+            at = postures(chain, zero, POSTURES)
+            motions = [motion for posture in at if (motion := _motion(chain, singular, zero, posture))]
+            if not at or len(motions) < len(at):
+                continue
+            steps = [step for step in plan.steps if all(_degenerate(plan, step, posture) for posture in at)]
+            matched |= {step.unknown for step in steps}
+            family = _family(chain, plan, _relations(condition, zero), motions, steps)
+            if family not in found:
+                found.append(family)
+    left = [step for step in plan.steps if step.unknown not in matched]
+    return (*found, *(family for step in left for family in _provided_for(chain, step)))
+
+
+def _motion(chain: Chain, singular: SingularSet, zero: Zero, posture: Posture) -> Motion | None:
+    """The motion that leaves the end effector alone, if it is the only one and stays on the set."""
+    basis = kernel(posture.jacobian(singular.task))
+    if len(basis) != 1:
+        return None
+    speeds = dict(zip((joint.variable for joint in chain.joints), basis[0], strict=True))
+    for part in zero:
+        change = 0
+        for name in chain.ring.used(part.poly):
+            slope = chain.ring.evaluate(part.poly.diff(chain.ring[name]), posture.values)
+            change += slope * _speed(chain, name, speeds, posture)
+        if change % PRIME:
+            return None
+    return tuple(basis[0])
+
+
+def _speed(chain: Chain, name: str, speeds: dict[str, int], posture: Posture) -> int:
+    """How fast a generator changes."""
+    for angle in chain.angles.values():
+        turn = sum(sign * speeds[variable] for variable, sign in angle.terms)
+        if name == angle.cosine:
+            return -posture.values[angle.sine] * turn
+        if name == angle.sine:
+            return posture.values[angle.cosine] * turn
+    return speeds.get(name, 0)
+
+
+def _degenerate(plan: Plan, step: Step, posture: Posture) -> bool:
+    """Whether a step leaves its unknown free at a posture: every square of its condition is zero."""
+    if step.degenerate is None:
+        return False
+    values = dict(posture.values)
+    for column, vector in zip("uvwp", (*zip(*posture.turned, strict=True), posture.end), strict=True):
+        values |= {f"{column}_{row}": entry for row, entry in zip("xyz", vector, strict=True)}
+    for item in plan.items:
+        definitions = (
+            item.definitions if isinstance(item, Window) else item.coefficients if isinstance(item, Step) else ()
+        )
+        for definition in (item,) if isinstance(item, Definition) else definitions:
+            value = residue_of(definition.value, values)
+            if value is not None:
+                values[definition.name] = value
+        if item is step:
+            break
+    trees = [*_squares(step.degenerate[0])]
+    trees += [step.inputs[name] for name in ("a_alt", "b_alt") if name in step.inputs]
+    return all(residue_of(tree, values) == 0 for tree in trees)
+
+
+def _squares(tree: Tree) -> Iterator[Tree]:
+    """The bases of a sum of squares; another expression is its own."""
+    for term in tree.terms if isinstance(tree, Sum) else (tree,):
+        yield term.base if isinstance(term, Pow) else term
+
+
+def _relations(condition: Condition, zero: Zero) -> tuple[Relation, ...]:
+    """What must hold: a joint's value where there is one."""
+    return tuple(
+        (Sym(part.variable), "=", _quarters(part.quarters)) if part.variable else (value, "=", ZERO)
+        for part, value in zip(zero, condition.values, strict=True)
+    )
+
+
+def _quarters(turns: int) -> Tree:
+    """0, pi/2, pi or -pi/2."""
+    half = Num(Fraction(-1 if turns == 3 else turns, 2))
+    return mul(half, Pi()) if turns else ZERO
+
+
+def _family(
+    chain: Chain, plan: Plan, relations: tuple[Relation, ...], motions: list[Motion], steps: list[Step]
+) -> Family:
+    variables = [joint.variable for joint in chain.joints]
+    moving = [k for k, speeds in enumerate(zip(*motions, strict=True)) if any(speeds)]
+    turning = [k for k in moving if chain.joints[k].kind == "R"]
+    fixed = {left.name for left, _, _ in relations if isinstance(left, Sym)}
+    still = [name for k, name in enumerate(variables) if k not in moving and name not in fixed]
+    free = steps[0].unknown if steps else variables[moving[0]]
+    sums = tuple(_written(chain, plan, variables, combination) for combination in _constant_sums(turning, motions))
+    return Family(
+        conditions=relations,
+        free=free,
+        constant=(*sums, *map(Sym, still)),
+        follows=tuple(variables[k] for k in moving if variables[k] != free),
+    )
+
+
+def _constant_sums(turning: list[int], motions: list[Motion]) -> Iterator[dict[int, int]]:
+    """The sums and differences of moving joints that do not change, short ones first, each with a joint of its own."""
+    covered: set[int] = set()
+    for size in range(2, LONGEST_SUM + 1):
+        for joints in combinations(turning, size):
+            for signs in product((1, -1), repeat=size - 1):
+                signed = dict(zip(joints, (1, *signs), strict=True))
+                constant = not any(sum(sign * m[k] for k, sign in signed.items()) % PRIME for m in motions)
+                if constant and not set(joints) <= covered:
+                    covered |= set(joints)
+                    yield signed
+
+
+def _written(chain: Chain, plan: Plan, variables: list[str], signed: dict[int, int]) -> Tree:
+    """A sum of joints, those in it that the plan solves for as a sum by their name."""
+    left = {variables[k]: sign for k, sign in signed.items()}
+    unknowns = {step.unknown for step in plan.steps}
+    terms: list[Tree] = []
+    for angle in chain.angles.values():
+        if len(angle.terms) > 1 and angle.name in unknowns:
+            for sign in (1, -1):
+                if all(left.get(name) == sign * own for name, own in angle.terms):
+                    terms.append(mul(Num(Fraction(sign)), Sym(angle.name)))
+                    left = {name: s for name, s in left.items() if name not in dict(angle.terms)}
+    return add(*terms, *(mul(Num(Fraction(sign)), Sym(name)) for name, sign in left.items()))
+
+
+def _provided_for(chain: Chain, step: Step) -> Iterator[Family]:
+    """A family that the plan provides for although no singular condition of the table as it stands leads to it."""
+    if step.degenerate is None:
+        return
+    constant = {name for name, _ in chain.constants.formulas()} | set(chain.robot.parameters)
+    if set(symbols(step.degenerate[0])) - constant:
+        yield Family(conditions=(step.degenerate,), free=step.unknown, folded=step.rule == "direction")
