@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from kinsym.algebra.convert import tree_of
 from kinsym.algebra.tree import Definition
+from kinsym.inverse.families import Family, families
 from kinsym.inverse.plan import Plan
 from kinsym.inverse.search import derive_plan
 from kinsym.kinematics.chain import Chain, build_chain
 from kinsym.kinematics.forward import Forward, forward_kinematics
 from kinsym.kinematics.jacobian import Jacobian, geometric_jacobian
+from kinsym.kinematics.singular import SingularSet, singular_set
 from kinsym.kinematics.tasks import fitting_task
 from kinsym.robot.model import Robot, Task
 
@@ -29,6 +32,16 @@ class Derivation:
     def constants(self) -> tuple[Definition, ...]:
         """The constants of the table that are no polynomials: sqrt(2), cosines and sines of twists."""
         return tuple(Definition(name=n, value=tree_of(e)) for n, e in self.chain.constants.formulas())
+
+    @cached_property
+    def singular(self) -> SingularSet:
+        """Where the arm is singular: det J in factors, and what each of them means."""
+        return singular_set(self.chain, self.plan.task)
+
+    @cached_property
+    def families(self) -> tuple[Family, ...]:
+        """Where a joint is free, what follows it and what stays constant."""
+        return families(self.chain, self.singular, self.plan)
 
 
 def derive(robot: Robot, *, task: Task | None = None) -> Derivation:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from kinsym.algebra.tree import Call, Definition, Tree, symbols
 from kinsym.derivation import Derivation
 from kinsym.emit.schedule import Assign, JointName, Note, Parameter, Schedule, Solve, Statement
+from kinsym.emit.singular import singular_poses
 from kinsym.emit.straight import forward_line, jacobian_line
 from kinsym.emit.text.formula import TextPrinter
 from kinsym.inverse.plan import Item, Step, Window
@@ -43,6 +44,7 @@ def build_schedule(derivation: Derivation) -> Schedule:
         gate=plan.gate,
         size=plan.size,
         tau=plan.tau,
+        singular=singular_poses(derivation),
     )
 
 

@@ -8,10 +8,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from kinsym.algebra.tree import Tree
 from kinsym.inverse.plan import Definition, Step
 from kinsym.robot.model import Task
+
+if TYPE_CHECKING:
+    from kinsym.emit.singular import SingularPoses
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,6 +79,7 @@ class Schedule:
     jacobian    6 n outputs, row-major: velocity rows first, then angular velocity rows.
     inverse     the statements of the inverse kinematics; the names u_x..p_z are the entries of the pose.
     solution    the names of the joint values, in the order of joints, known at level ``depth``.
+    singular    what the comments say of singular poses and the checks try; nothing is computed from it.
     maximum     the largest number of solutions, the product of ``widths``.
     """
 
@@ -95,6 +100,7 @@ class Schedule:
     gate: bool
     size: Tree
     tau: Fraction
+    singular: SingularPoses | None = None
 
     @property
     def widths(self) -> tuple[int, ...]:

@@ -2,8 +2,8 @@
 
 At a singular posture one combination of the joints moves nothing: the kernel of J. If that motion keeps the
 condition for the posture to be singular, it can go on, and the pose has a whole curve of solutions; otherwise two
-solutions meet there. Along the curve the kernel tells what is constant: theta4 + theta6 if the entries of joints 4 and 6
-are always opposite. All of it is read from random postures modulo the prime; which joint the curve is named by is
+solutions meet there. Along the curve the kernel tells what is constant: theta4 + theta6 if the entries of joints 4 and
+6 are always opposite. All of it is read from random postures modulo the prime; which joint the curve is named by is
 read from the plan, the one whose step is degenerate there.
 """
 
@@ -17,8 +17,8 @@ from itertools import combinations, product
 from kinsym.algebra.field import PRIME
 from kinsym.algebra.linear import kernel
 from kinsym.algebra.residues import residue_of
-from kinsym.algebra.tree import ZERO, Definition, Num, Pi, Pow, Sum, Sym, Tree, add, mul, symbols
-from kinsym.inverse.plan import Plan, Step, Window
+from kinsym.algebra.tree import ZERO, Definition, Num, Pow, Sum, Sym, Tree, add, mul, symbols
+from kinsym.inverse.plan import Item, Plan, Step, Window
 from kinsym.kinematics.chain import Chain
 from kinsym.kinematics.conditions import POSTURES, Condition
 from kinsym.kinematics.posture import Posture
@@ -124,6 +124,13 @@ def _degenerate(plan: Plan, step: Step, posture: Posture) -> bool:
     return all(residue_of(tree, values) == 0 for tree in trees)
 
 
+def _definitions(item: Item) -> tuple[Definition, ...]:
+    """What an item of the plan gives a name to."""
+    if isinstance(item, Definition):
+        return (item,)
+    return item.definitions if isinstance(item, Window) else item.coefficients
+
+
 def _squares(tree: Tree) -> Iterator[Tree]:
     """The bases of a sum of squares; another expression is its own."""
     for term in tree.terms if isinstance(tree, Sum) else (tree,):
@@ -132,16 +139,7 @@ def _squares(tree: Tree) -> Iterator[Tree]:
 
 def _relations(condition: Condition, zero: Zero) -> tuple[Relation, ...]:
     """What must hold: a joint's value where there is one."""
-    return tuple(
-        (Sym(part.variable), "=", _quarters(part.quarters)) if part.variable else (value, "=", ZERO)
-        for part, value in zip(zero, condition.values, strict=True)
-    )
-
-
-def _quarters(turns: int) -> Tree:
-    """0, pi/2, pi or -pi/2."""
-    half = Num(Fraction(-1 if turns == 3 else turns, 2))
-    return mul(half, Pi()) if turns else ZERO
+    return tuple(part.relation or (value, "=", ZERO) for part, value in zip(zero, condition.values, strict=True))
 
 
 def _family(
@@ -179,14 +177,14 @@ def _written(chain: Chain, plan: Plan, variables: list[str], signed: dict[int, i
     """A sum of joints, those in it that the plan solves for as a sum by their name."""
     left = {variables[k]: sign for k, sign in signed.items()}
     unknowns = {step.unknown for step in plan.steps}
-    terms: list[Tree] = []
+    named = dict(left)
     for angle in chain.angles.values():
         if len(angle.terms) > 1 and angle.name in unknowns:
             for sign in (1, -1):
                 if all(left.get(name) == sign * own for name, own in angle.terms):
-                    terms.append(mul(Num(Fraction(sign)), Sym(angle.name)))
-                    left = {name: s for name, s in left.items() if name not in dict(angle.terms)}
-    return add(*terms, *(mul(Num(Fraction(sign)), Sym(name)) for name, sign in left.items()))
+                    own_names = dict(angle.terms)
+                    named = {angle.name: sign, **{name: s for name, s in named.items() if name not in own_names}}
+    return add(*(mul(Num(Fraction(sign)), Sym(name)) for name, sign in sorted(named.items(), key=lambda one: -one[1])))
 
 
 def _provided_for(chain: Chain, step: Step) -> Iterator[Family]:
@@ -194,5 +192,5 @@ def _provided_for(chain: Chain, step: Step) -> Iterator[Family]:
     if step.degenerate is None:
         return
     constant = {name for name, _ in chain.constants.formulas()} | set(chain.robot.parameters)
-    if set(symbols(step.degenerate[0])) - constant:
+    if all(set(symbols(square)) - constant for square in _squares(step.degenerate[0])):
         yield Family(conditions=(step.degenerate,), free=step.unknown, folded=step.rule == "direction")

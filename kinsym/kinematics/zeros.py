@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import random
 from dataclasses import dataclass
+from fractions import Fraction
 
 from kinsym.algebra.field import PRIME, Point, circle_point, inverse, turn
 from kinsym.algebra.ring import Kind, Poly
 from kinsym.algebra.roots import roots
+from kinsym.algebra.tree import ZERO, Num, Pi, Sym, Tree, mul
 from kinsym.kinematics.angles import Angle
 from kinsym.kinematics.chain import Chain
 from kinsym.kinematics.posture import Posture, posture
@@ -33,6 +35,14 @@ class Part:
     poly: Poly
     variable: str = ""
     quarters: int = 0
+
+    @property
+    def relation(self) -> tuple[Tree, str, Tree] | None:
+        """``theta5 = pi`` or ``d3 = 0``, None where the part is not the value of a joint."""
+        if not self.variable:
+            return None
+        half = Num(Fraction(-1 if self.quarters == 3 else self.quarters, 2))
+        return Sym(self.variable), "=", mul(half, Pi()) if self.quarters else ZERO
 
 
 Zero = tuple[Part, ...]

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from kinsym.algebra.tree import Definition, Sum, Sym, Tree, negated, symbols
+from kinsym.emit.singular import singular_trees
 from kinsym.inverse.plan import Step, Window
 from kinsym.kinematics.angles import Angle
 
@@ -20,6 +21,7 @@ def all_names(derivation: Derivation) -> Iterator[str]:
     yield from robot.parameters
     trees: list[Tree] = [entry for row in derivation.forward.pose for entry in row]
     trees += [entry for row in derivation.jacobian.entries for entry in row]
+    trees += singular_trees(derivation)
     definitions = [*derivation.constants, *derivation.jacobian.definitions]
     for item in plan.items:
         match item:

@@ -32,6 +32,7 @@ from kinsym.emit.prose.wording import (
     sifting,
 )
 from kinsym.emit.text.page import Page
+from kinsym.emit.text.singular import singular_poses
 from kinsym.inverse.cut import link_letter
 from kinsym.inverse.plan import Plan, Step, Window
 from kinsym.robot.model import Convention, Robot, Vector
@@ -270,4 +271,6 @@ def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, f
     if found:
         sections.append(f"{_heading('Joint values')}\n{found}")
     sections.append(f"{_heading('Solutions')}\n{solutions(plan, page)}")
+    poses = singular_poses(derivation.singular, derivation.families, page)
+    sections.append(f"{_heading('Singular poses')}\n{poses}")
     return "\n\n".join(sections) + "\n"
