@@ -77,6 +77,11 @@ def _properties(task: Task, ordinary: Posture) -> Iterator[_Property]:
     for place, i, j in planes:
         if i != turning[0]:
             yield _in_plane_of(ordinary, place, i, j, turning)
+    for place in places:
+        others = [joint for joint in range(len(ordinary.kinds)) if joint not in place.joints]
+        if len(place.joints) == len(others) == len("xyz"):
+            words = f"joints {_listed(others)} move {place.words} in fewer than 3 ways"
+            yield Meaning("", words), partial(_slow, place=place, joints=others)
     for i, j in pairs:
         yield Meaning("", f"axes {i + 1} and {j + 1} meet"), partial(_meet, i=i, j=j)
     for triple in combinations(turning, 3):
@@ -198,6 +203,15 @@ def _volume(u: Numbers, v: Numbers, w: Numbers) -> int:
 def _lever(posture: Posture, joint: int, point: Numbers) -> Numbers:
     """The velocity that a joint gives to a point: zero on its axis."""
     return cross(posture.axes[joint], difference(point, posture.points[joint]))
+
+
+def _slow(posture: Posture, place: _Place, joints: list[int]) -> bool:
+    """Whether three joints give a point velocities in one plane."""
+    velocities = [
+        _lever(posture, joint, place.at(posture)) if posture.kinds[joint] == "R" else posture.axes[joint]
+        for joint in joints
+    ]
+    return _volume(*velocities) == 0
 
 
 def _meet(posture: Posture, i: int, j: int) -> bool:

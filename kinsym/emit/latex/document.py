@@ -16,6 +16,7 @@ from kinsym.emit.latex.layout import SMALL, Block, Display, Matrix, Relation, al
 from kinsym.emit.latex.names import link, pose
 from kinsym.emit.latex.passages import Formulas, Passages
 from kinsym.emit.latex.sentences import escape
+from kinsym.emit.latex.singular import singular_section
 from kinsym.emit.prose.vocabulary import angle_sums, joint_angles
 from kinsym.emit.prose.wording import (
     CONVENTIONS,
@@ -217,6 +218,7 @@ def document(derivation: Derivation) -> str:
         "numbers": marks_explained(plan)[1],
         "branches": writer.branch_table() if forks else (),
         "gate": sifting(plan),
+        "poses": singular_section(writer),
     }
     text = environment(_DELIMITERS).get_template("latex/document.tex.j2").render(context)
     return re.sub(r"\n{3,}", "\n\n", re.sub(r" +\n", "\n", text))

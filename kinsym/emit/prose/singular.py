@@ -44,13 +44,13 @@ def introduction(singular: SingularSet) -> str:
 
 def verdict(singular: SingularSet) -> str:
     """The sentence that the list of conditions follows, or that there is none."""
-    subject = "det J vanishes" if singular.square else "Its rank falls"
+    subject = "Its rank falls" if not singular.square else "It vanishes" if shown(singular) else "det J vanishes"
     if singular.missing:
         return ""
     if not singular.conditions:
         if not singular.exhaustive:
             return "Its rank falls only where several expressions vanish at once."
-        constant = "det J is never zero" if singular.square else "Its rank is full everywhere"
+        constant = "It is never zero" if singular.square else "Its rank is full everywhere"
         return f"{constant}: the arm has no singular pose."
     return f"{subject}, and the arm is singular, where"
 
@@ -76,24 +76,24 @@ def heading(condition: Condition) -> str:
     return f"{reason[:1].upper()}{reason[1:]}" if reason else "A factor without a simple meaning"
 
 
-def equations(condition: Condition, write: Write) -> Iterator[tuple[str, str]]:
-    """Left and right side of what must hold."""
+def equations(condition: Condition, write: Write, told: Callable[[str], str] = str) -> Iterator[tuple[str, str]]:
+    """Left and right side of what must hold; ``told`` sets words among formulas."""
     for poly, value in zip(condition.polys, condition.values, strict=True):
         long = len(poly) > LONGEST
-        yield f"a factor of {len(poly)} terms" if long else write(value), "0"
+        yield told(f"a factor of {len(poly)} terms") if long else write(value), "0"
 
 
-def angles(condition: Condition, write: Write) -> str:
+def angles(condition: Condition, write: Write, either: str = " or ") -> str:
     """The joint values of a condition, if it is one joint's cosine or sine: theta5 = 0 or theta5 = pi."""
     relations = [zero[0].relation for zero in condition.zeros]
     if len(condition.values) > 1 or any(relation is None or relation[0] in condition.values for relation in relations):
         return ""
-    return " or ".join(f"{write(left)} = {write(right)}" for left, _, right in filter(None, relations))
+    return either.join(f"{write(left)} = {write(right)}" for left, _, right in filter(None, relations))
 
 
-def family_conditions(family: Family, write: Write) -> str:
+def family_conditions(family: Family, write: Write, apart: str = ", ") -> str:
     """Where a family is."""
-    return ", ".join(f"{write(left)} {sign} {write(right)}" for left, sign, right in family.conditions)
+    return apart.join(f"{write(left)} {sign} {write(right)}" for left, sign, right in family.conditions)
 
 
 def follows(family: Family, write: Write, name: Callable[[str], str]) -> str:

@@ -21,6 +21,9 @@ from kinsym.inverse.families import Family
 from kinsym.kinematics.conditions import Condition
 from kinsym.kinematics.singular import SingularSet
 
+#: What stands beside the left side of an equation that is zero.
+_BESIDE = 10
+
 
 def singular_poses(singular: SingularSet, families: Sequence[Family], page: Page | None = None) -> str:
     """det J in factors, what each of them means, and where a joint is free."""
@@ -39,7 +42,12 @@ def singular_poses(singular: SingularSet, families: Sequence[Family], page: Page
 
 def _condition(condition: Condition, page: Page) -> Iterator[str]:
     yield page.prose(heading(condition))
-    relations = [page.equation(left, right, indent=6) for left, right in equations(condition, page.formula)]
+    relations = [
+        page.equation(left, right, indent=6)
+        if len(left) + _BESIDE <= page.width
+        else page.equation(right, left, indent=6)
+        for left, right in equations(condition, page.formula)
+    ]
     values = angles(condition, page.formula)
     relations[-1] += f", so {values}" if values else ""
     yield from relations
