@@ -17,6 +17,7 @@ from kinsym.check.laws import CLOSURE, COPY, FORWARD, PATH, SAME, Judge, malform
 from kinsym.check.ledger import Ledger
 from kinsym.check.poses import KINDS, PAIR, UNIFORM, Counts, generator, samples
 from kinsym.check.singular import volume_of
+from kinsym.check.singular_set import hold_singular_set
 from kinsym.check.solvers import ExactSolver, Floats, NumpySolver, Solutions, Solver, TreeKinematics
 from kinsym.check.table import TableKinematics
 from kinsym.check.task import sifted, task_jacobian
@@ -31,6 +32,7 @@ JACOBIAN_POSES = 5
 SINGLE_POSES = 24
 FAR_POSES = 12
 NOISE_POSES = 60
+SET_POSES = 40
 
 #: Nearer to a singular pose than this, double roots merge (within 2 sqrt(2 tau)) and angles are soft.
 MERGED = 1e-6
@@ -77,6 +79,7 @@ class Examination:
         ledger: Ledger,
     ) -> None:
         self.schedule, self.ledger, self.targets = schedule, ledger, targets
+        self.parameters = parameters
         self.rng = generator(schedule.digest, number)
         self.table = TableKinematics(robot, parameters)
         self.kinematics = TreeKinematics(schedule, parameters)
@@ -104,6 +107,7 @@ class Examination:
         for target in self.targets:
             try:
                 self._forward(target, slopes)
+                hold_singular_set(self.ledger, target, self.schedule, self.parameters, self.q[:SET_POSES])
                 answer = target.inverse(self.poses, self.q)
                 self._inverse(target, answer, every)
                 self._refusals(target)

@@ -55,6 +55,7 @@ class Report:
     parameters: Mapping[str, str | None]
     maximum: int
     table: Sequence[str]
+    singular: Mapping[str, Any] = field(default_factory=dict)
     operations: Mapping[str, Any] = field(default_factory=dict)
     checks: tuple[Check, ...] = ()
     figures: Mapping[str, Any] = field(default_factory=dict)
@@ -85,6 +86,7 @@ class Report:
             "joints": list(self.joints),
             "parameters": dict(self.parameters),
             "most_solutions": self.maximum,
+            "singular_poses": dict(self.singular),
             "figures": dict(self.figures),
             "checks": [_without_empty(check) for check in self.checks],
             "operations": dict(self.operations),

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from kinsym import __version__
 from kinsym.check.report import Report
+from kinsym.check.singular_set import singular_figures
 from kinsym.emit.operations import inverse_operations, line_operations
 from kinsym.robot.summary import to_toml
 from kinsym.robot.text import value_text
@@ -32,6 +33,7 @@ def report_of(robot: Robot, schedule: Schedule, sources: Mapping[str, str], find
         parameters={parameter.name: _value(parameter.value) for parameter in schedule.parameters},
         maximum=schedule.maximum,
         table=to_toml(robot).splitlines(),
+        singular=singular_figures(schedule),
         operations={
             "forward": asdict(line_operations(schedule, schedule.forward)),
             "inverse": asdict(inverse_operations(schedule)),

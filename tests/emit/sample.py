@@ -13,10 +13,11 @@ from typing import Any
 
 import sympy as sp
 
-from kinsym.algebra.tree import Call, Definition, Num, Pi, PlusMinus, Pow, Quot, Tree, add, mul, negated, sub
+from kinsym.algebra.tree import ONE, Call, Definition, Num, Pi, PlusMinus, Pow, Quot, Tree, add, mul, negated, sub
 from kinsym.algebra.tree import Sym as Name
 from kinsym.inverse.plan import Equation, Item, JointValue, Plan, Step, Window
 from kinsym.kinematics.angles import interval
+from kinsym.kinematics.singular import SingularSet
 from kinsym.robot.model import Convention, Joint, Robot, Task
 
 
@@ -144,6 +145,8 @@ def _derivation(
         jacobian=jacobian,
         plan=plan,
         constants=(),
+        singular=SingularSet(task=plan.task, square=True, constant=ONE, conditions=(), exhaustive=True, split=True),
+        families=(),
     )
 
 

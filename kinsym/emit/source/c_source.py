@@ -19,6 +19,7 @@ from kinsym.emit.source.banner import banner, c_comment
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import kernels_used
 from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
+from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
 from kinsym.emit.source.wrapping import WIDTH, cut, fill
 
@@ -51,6 +52,7 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "heads": _heads(schedule),
         "usable": _usable(schedule),
         "banner": [c_comment(line) for line in banner(schedule)],
+        "singular": [c_comment(line) for line in singular_lines(schedule)],
         "inverse": inverse,
         "statements": inverse_views(schedule, inverse, printer),
         "entries": _entries(inverse),

@@ -17,6 +17,7 @@ from kinsym.emit.source.banner import banner, python_comment, python_docstring, 
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import ANGLE, KERNELS, kernels_used
 from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
+from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
 from kinsym.emit.source.wrapping import WIDTH, cut, fill
 
@@ -46,6 +47,7 @@ def numpy_source(schedule: Schedule) -> dict[str, str]:
         "joints": len(schedule.joints),
         "solutions": schedule.maximum,
         "banner": [python_docstring(line) for line in banner(schedule)],
+        "singular": [python_docstring(line) for line in singular_lines(schedule)],
         "fk": line_needs(schedule, schedule.forward),
         "jacobian": line_needs(schedule, schedule.jacobian),
         "poses": _entries("T", schedule.forward.outputs, 4, printer),
