@@ -1,0 +1,192 @@
+"""The singular set of known arms, and its identity with det J.
+
+Sources of the expected factors: planar RR, l1 l2 s2, J. J. Craig, Introduction to Robotics, section 5.8; Puma 560,
+Stanford and UR5 by hand from the block form of J at the wrist centre; the sets of the others by hand from their tables.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+
+from kinsym.algebra import factors
+from kinsym.algebra.linear import determinant, kernel
+from kinsym.algebra.residues import residue_of
+from kinsym.emit.text.formula import TextPrinter
+from kinsym.kinematics import singular
+from kinsym.kinematics.chain import build_chain
+from kinsym.kinematics.posture import Posture
+from kinsym.kinematics.singular import SingularSet, singular_set
+from kinsym.kinematics.zeros import postures, somewhere
+from kinsym.robot import from_inline, load
+from kinsym.robot.model import Task
+from tests.arms import NAMES, derivation
+
+WRITE = TextPrinter()
+
+# name: (det J, then name and geometry of each condition); the constant in front is the first factor.
+KNOWN = {
+    "planar_rr": ("l1*l2*s2", [("elbow", "axes 1 and 2 and the end point lie in one plane")]),
+    "planar_rrr_paul": ("a1*a2*s2", [("elbow", "axes 1, 2 and 3 lie in one plane")]),
+    "scara": ("a1*a2*s2", [("elbow", "axes 1, 2 and 4 lie in one plane")]),
+    "spherical_wrist": ("-s5", [("wrist", "axes 1 and 3 coincide")]),
+    "cylindrical_rpp": ("d3", [("shoulder", "the end point lies on axis 1")]),
+    "elbow_rrr": (
+        "-a2*a3*s3*(a2*c2 + a3*c23)",
+        [("elbow", "axes 2 and 3 and the end point lie in one plane"), ("shoulder", "the end point lies on axis 1")],
+    ),
+    "puma560": (
+        "a2*s5*(d4*c3 + a3*s3)*(a2*c2 + a3*c23 - d4*s23)",
+        [
+            ("wrist", "axes 4 and 6 coincide"),
+            ("elbow", "axes 2 and 3 and the wrist centre lie in one plane"),
+            ("shoulder", "the wrist centre lies in the plane of axes 1 and 2"),
+        ],
+    ),
+    "fanuc_s900w": (
+        "-a2*s5*(d4*c3 - a3*s3)*(a2*c2 + a3*c23 + d4*s23 + a1)",
+        [
+            ("wrist", "axes 4 and 6 coincide"),
+            ("elbow", "axes 2 and 3 and the wrist centre lie in one plane"),
+            ("shoulder", "the wrist centre lies on axis 1"),
+        ],
+    ),
+    "ur5": (
+        "a2*a3*s5*s3*(a2*c2 + a3*c23 + d5*s234)",
+        [
+            ("wrist", "axis 6 is parallel to axes 2, 3 and 4"),
+            ("elbow", "axes 2, 3 and 4 lie in one plane"),
+            ("shoulder", "the point where axes 5 and 6 meet lies in the plane of axes 1 and 2"),
+        ],
+    ),
+    "stanford_paul": (
+        "d3^2*s5*s2",
+        [
+            ("", "the wrist centre lies on axis 2"),
+            ("wrist", "axes 4 and 6 coincide"),
+            ("shoulder", "the wrist centre lies in the plane of axes 1 and 2"),
+        ],
+    ),
+    "elbow_6r_screw": (
+        "a2*a3*c5*s3*(a2*c2 + a3*c23 + a4*c234)",
+        [
+            ("wrist", "axis 6 is parallel to axes 2, 3 and 4"),
+            ("elbow", "axes 2, 3 and 4 lie in one plane"),
+            ("shoulder", "the point where axes 5 and 6 meet lies on axis 1"),
+        ],
+    ),
+}
+
+
+SQUARE = [name for name in NAMES if derivation(name).singular.square]
+ROWS = {Task.PLANAR: (0, 1, 5), Task.SCARA: (0, 1, 2, 5)}
+
+
+def value(found: SingularSet, posture: Posture) -> int | None:
+    """The product of the factors at a posture, modulo the prime."""
+    return residue_of(found.determinant, posture.values)
+
+
+def matrix(task: Task, posture: Posture) -> list[list[int]]:
+    """The square matrix whose determinant the factors are of."""
+    if task is Task.POSITION_AXIS:
+        about = (0, 0, 0, *posture.approach)
+        return [[*row, w] for row, w in zip(posture.jacobian(Task.POSE), about, strict=True)]
+    rows = posture.jacobian(task)
+    return [rows[k] for k in ROWS[task]] if task in ROWS else [row for row in rows if any(row)]
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_known_arms(name: str) -> None:
+    found = derivation(name).singular
+    product, meanings = KNOWN[name]
+    assert WRITE(found.determinant) == product
+    assert [(c.meaning.name, c.meaning.reason.partition(":")[0]) for c in found.conditions] == meanings
+    assert found.square
+    assert found.exhaustive
+    assert found.split
+
+
+@pytest.mark.parametrize("name", SQUARE)
+def test_the_product_is_the_determinant(name: str) -> None:
+    arm = derivation(name)
+    for posture in somewhere(arm.chain, 3):
+        assert determinant(matrix(arm.plan.task, posture)) == value(arm.singular, posture)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_j_loses_a_motion_on_every_part_of_every_condition_and_nowhere_by_chance(name: str) -> None:
+    arm = derivation(name)
+    for condition in arm.singular.conditions:
+        for zero in condition.zeros:
+            found = postures(arm.chain, zero, 3)
+            assert found
+            for posture in found:
+                assert all(arm.chain.ring.evaluate(poly, posture.values) == 0 for poly in condition.polys)
+                assert kernel(posture.jacobian(arm.plan.task))
+    for posture in somewhere(arm.chain, 3):
+        assert not kernel(posture.jacobian(arm.plan.task))
+
+
+def test_an_arm_with_fewer_joints_than_the_pose_needs_two_conditions_at_once() -> None:
+    # by hand: the columns of joints 1 and 5 are the only ones with y and the two angular velocities across axis 2
+    found = derivation("scorbot_5r").singular
+    assert not found.square
+    assert found.exhaustive
+    assert [tuple(map(WRITE, c.values)) for c in found.conditions] == [("s3",), ("s234", "a2*c2 + a3*c23 + a1")]
+
+
+def test_position_and_axis_has_a_square_jacobian() -> None:
+    # joint 5 turns w, and the turn about w that the task leaves open is the sixth column
+    table = "pi/2 a1 d1 theta1; 0 a2 0 theta2; pi/2 a3 0 theta3; -pi/2 0 d4 theta4; pi/2 0 0 theta5"
+    chain = build_chain(from_inline(table, convention="paul", name="five"))
+    found = singular_set(chain, Task.POSITION_AXIS)
+    assert WRITE(found.determinant) == "-a2*s5*(d4*c3 - a3*s3)*(a2*c2 + a3*c23 + d4*s23 + a1)"
+    for posture in somewhere(chain, 3):
+        assert determinant(matrix(Task.POSITION_AXIS, posture)) == value(found, posture)
+
+
+def test_an_arm_of_slides_is_never_singular() -> None:
+    found = derivation("three_slides").singular
+    assert (found.conditions, found.square, found.exhaustive) == ((), True, True)
+
+
+def test_lengths_that_are_numbers_stay_lengths() -> None:
+    numbers = {"a2": Fraction("-0.425"), "a3": Fraction("-0.39225"), "d5": Fraction("0.09465")}
+    robot = load("ur5", bindings=numbers)
+    found = singular_set(build_chain(robot), Task.POSE)
+    shoulder = next(c for c in found.conditions if c.meaning.name == "shoulder")
+    assert WRITE(shoulder.values[0]) in (
+        "0.425*c2 + 0.39225*c23 - 0.09465*s234",
+        "0.09465*s234 - 0.425*c2 - 0.39225*c23",
+    )
+
+
+def test_an_arm_that_moves_without_moving_its_end_has_no_list() -> None:
+    robot = from_inline("0 a1 0 theta1; 0 a2 0 theta2; 0 a3 0 theta3; 0 a4 0 theta4", convention="paul", name="four")
+    found = singular_set(build_chain(robot), Task.PLANAR)
+    assert found.conditions == ()
+    assert "without moving the end effector" in found.missing
+
+
+def test_a_determinant_out_of_bounds_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(singular, "WORK", 1)
+    found = singular_set(build_chain(load("ur5")), Task.POSE)
+    assert found.conditions == ()
+    assert "too many terms" in found.missing
+
+
+def test_a_factor_that_is_too_long_is_left_whole_and_the_others_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(factors, "LARGEST", 2)
+    arm = derivation("puma560")
+    found = singular_set(arm.chain, Task.POSE)
+    assert not found.split
+    assert "s5" in [WRITE(value) for c in found.conditions for value in c.values]
+    for posture in somewhere(arm.chain, 2):
+        assert determinant(posture.jacobian(Task.POSE)) == value(found, posture)
+
+
+def test_the_same_set_in_every_convention_and_unit() -> None:
+    twins = [derivation(name).singular for name in ("planar_rrr_paul", "planar_rrr_craig", "planar_rrr_screw")]
+    assert len({tuple(c.meaning.reason for c in one.conditions) for one in twins}) == 1
