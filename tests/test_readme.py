@@ -52,3 +52,5 @@ def test_the_lines_shown_are_those_printed(capsys: pytest.CaptureFixture[str]) -
     printed = capsys.readouterr().out
     shown = block("console").split("...\n")[1]
     assert shown in printed
+    assert main(["show", "puma560"]) == 0
+    assert block("text") in capsys.readouterr().out
