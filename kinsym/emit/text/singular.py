@@ -49,7 +49,11 @@ def _condition(condition: Condition, page: Page) -> Iterator[str]:
         for left, right in equations(condition, page.formula)
     ]
     values = angles(condition, page.formula)
-    relations[-1] += f", so {values}" if values else ""
+    beside = f"{relations[-1]}, so {values}"
+    if values and len(beside) <= page.width:
+        relations[-1] = beside
+    elif values:
+        relations.append(page.prose(f"so {values}", indent=6))
     yield from relations
 
 
