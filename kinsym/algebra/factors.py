@@ -36,7 +36,7 @@ def factored(ring: Ring, polys: list[Poly]) -> Factored:
     >>> ring = Ring([Generator("c1", Kind.COSINE), Generator("s1", Kind.SINE, "c1"), Generator("a", Kind.PARAMETER)])
     >>> c, s, a = ring["c1"], ring["s1"], ring["a"]
     >>> factored(ring, [ring.reduce(2 * a * s * (a * c + s))])
-    Factored(constant=2*a, factors=((s1, 1), (c1*a + s1, 1)), complete=True)
+    Factored(constant=2*a, factors=((c1*a + s1, 1), (s1, 1)), complete=True)
     """
     counts: Counter[Poly] = Counter()
     complete = True

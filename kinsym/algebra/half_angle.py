@@ -36,8 +36,9 @@ class HalfAngles:
     >>> from kinsym.algebra.ring import Generator, Kind
     >>> ring = Ring([Generator("c1", Kind.COSINE), Generator("s1", Kind.SINE, "c1")])
     >>> half = HalfAngles(ring, ring["s1"])
-    >>> half.back(half.pieces(ring["s1"])[0])
-    s1
+    >>> whole = half.homogeneous(ring["s1"])
+    >>> [piece.degrees for piece in half.factors(whole)], half.back(whole)
+    ([(1,), (1,)], 2*s1)
     """
 
     def __init__(self, ring: Ring, poly: Poly) -> None:
@@ -83,7 +84,7 @@ class HalfAngles:
         return Piece(poly, tuple(map(sum, zip(*(piece.degrees for piece in pieces), strict=True))))
 
     def back(self, piece: Piece) -> Poly:
-        """A homogeneous polynomial of even degrees in cosines and sines."""
+        """A homogeneous polynomial of even degrees in cosines and sines, up to a positive number."""
         source = self._source
         total = source.zero
         count = len(self.circles)

@@ -87,6 +87,8 @@ class SingularNumbers:
     def zeros(self, starts: Floats, reach: Floats) -> Iterator[Floats]:
         """Joint vectors at which a condition holds, each found from one of the ``starts`` (m, n)."""
         for condition in self._set.conditions:
+            if not condition.whole:
+                continue
             found = 0
             for start in starts:
                 joints = self._zero(condition, start, reach)

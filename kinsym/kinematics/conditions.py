@@ -41,13 +41,14 @@ class Condition:
     """A factor of det J: the arm is singular where it is zero; or two expressions that have to be zero at once.
 
     ``polys`` and, as they are printed, ``values`` must vanish. ``zeros`` are the parts of that set, two angles where a
-    factor is one cosine or sine. ``power`` is how often the factor occurs.
+    factor is one cosine or sine; ``whole`` tells that these are all of it. ``power`` is how often the factor occurs.
     """
 
     polys: tuple[Poly, ...]
     values: tuple[Tree, ...]
     power: int
     zeros: tuple[Zero, ...]
+    whole: bool
     meaning: Meaning
 
 
@@ -68,5 +69,6 @@ def condition(arm: Arm, zeros: list[Zero]) -> Condition | None:
         values=tuple(nested(arm.chain.ring, poly) for poly in polys),
         power=1,
         zeros=tuple(kept),
+        whole=len(kept) == len(zeros),
         meaning=meaning(arm.task, singular, arm.ordinary),
     )

@@ -38,7 +38,7 @@ def corners(arm: Arm, lost: list[Poly], kept: set[Poly], minors: Iterable[Factor
     found: list[Condition] = []
     for zeros in sets.values():
         one = condition(arm, zeros)
-        exhaustive &= one is not None
+        exhaustive &= one is not None and one.whole
         if one is not None and not any(_covers(arm, other, one) for other in found):
             found.append(one)
     return found, exhaustive

@@ -95,7 +95,7 @@ def singular_set(chain: Chain, task: Task) -> SingularSet:
         square=square and not lost,
         constant=nested(ring, constant),
         conditions=(*found, *at_corners),
-        exhaustive=exhaustive,
+        exhaustive=exhaustive and all(one.whole for one in found),
         split=product.complete,
     )
 

@@ -6,6 +6,7 @@ Stanford and UR5 by hand from the block form of J at the wrist centre; the sets 
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -13,6 +14,7 @@ import pytest
 from kinsym.algebra import factors
 from kinsym.algebra.linear import determinant, kernel
 from kinsym.algebra.residues import residue_of
+from kinsym.emit.prose.singular import angles, leading_to
 from kinsym.emit.text.formula import TextPrinter
 from kinsym.kinematics import singular
 from kinsym.kinematics.chain import build_chain
@@ -145,6 +147,18 @@ def test_position_and_axis_has_a_square_jacobian() -> None:
     assert WRITE(found.determinant) == "-a2*s5*(d4*c3 - a3*s3)*(a2*c2 + a3*c23 + d4*s23 + a1)"
     for posture in somewhere(chain, 3):
         assert determinant(matrix(Task.POSITION_AXIS, posture)) == value(found, posture)
+
+
+def test_a_factor_may_count_in_one_of_its_zeros_only() -> None:
+    table = "-pi/2 a a theta1; -pi/2 a 0 theta2; -pi/2 a 0 theta3; -pi/2 0 a theta4"
+    chain = build_chain(from_inline(table, convention="paul", name="equal"))
+    found = singular_set(chain, Task.POSE)
+    one = next(c for c in found.conditions if not c.whole and len(c.values) == 1)
+    (zero,) = one.zeros
+    assert not found.exhaustive
+    assert (angles(one, WRITE), leading_to(one)) == ("theta2 = pi", "but only for")
+    at_zero = replace(zero[0], quarters=0)
+    assert not any(kernel(posture.jacobian(Task.POSE)) for posture in postures(chain, (at_zero,), 2))
 
 
 def test_an_arm_of_slides_is_never_singular() -> None:

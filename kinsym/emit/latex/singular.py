@@ -17,6 +17,7 @@ from kinsym.emit.prose.singular import (
     follows,
     heading,
     introduction,
+    leading_to,
     remainder,
     shown,
     verdict,
@@ -80,7 +81,9 @@ def _named(condition: Condition, formulas: Formulas) -> Named:
     ]
     values = angles(condition, formulas.formula, either=_text(" or "))
     if values:
-        relations[-1] = replace(relations[-1], right=f"{relations[-1].right}, \\qquad {_text('that is ')} {values}")
+        relations[-1] = replace(
+            relations[-1], right=f"{relations[-1].right}, \\qquad {_text(f'{leading_to(condition)} ')} {values}"
+        )
     title, _, reason = heading(condition).rpartition(" singularity: ")
     return Named(name=f"{title} singularity" if title else "", reason=reason, blocks=aligned(relations))
 

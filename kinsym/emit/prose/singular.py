@@ -91,6 +91,11 @@ def angles(condition: Condition, write: Write, either: str = " or ") -> str:
     return either.join(f"{write(left)} = {write(right)}" for left, _, right in filter(None, relations))
 
 
+def leading_to(condition: Condition) -> str:
+    """The words between a condition and its joint values."""
+    return "so" if condition.whole else "but only for"
+
+
 def family_conditions(family: Family, write: Write, apart: str = ", ") -> str:
     """Where a family is."""
     return apart.join(f"{write(left)} {sign} {write(right)}" for left, sign, right in family.conditions)

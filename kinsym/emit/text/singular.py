@@ -12,6 +12,7 @@ from kinsym.emit.prose.singular import (
     follows,
     heading,
     introduction,
+    leading_to,
     remainder,
     shown,
     verdict,
@@ -49,11 +50,12 @@ def _condition(condition: Condition, page: Page) -> Iterator[str]:
         for left, right in equations(condition, page.formula)
     ]
     values = angles(condition, page.formula)
-    beside = f"{relations[-1]}, so {values}"
+    joints = f"{leading_to(condition)} {values}"
+    beside = f"{relations[-1]}, {joints}"
     if values and len(beside) <= page.width:
         relations[-1] = beside
     elif values:
-        relations.append(page.prose(f"so {values}", indent=6))
+        relations.append(page.prose(joints, indent=6))
     yield from relations
 
 
