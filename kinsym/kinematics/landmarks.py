@@ -20,6 +20,8 @@ WRIST, ELBOW, SHOULDER = "wrist", "elbow", "shoulder"
 
 #: Tasks in which it matters where the end point is, not only how the end effector is turned.
 WITH_AN_END = (Task.POSITION, Task.POSITION_AXIS)
+#: In how many directions a point can move.
+_DIRECTIONS = 3
 _MOVED = {Task.POSITION: "the end point", Task.ORIENTATION: "the orientation"}
 
 
@@ -79,7 +81,7 @@ def _properties(task: Task, ordinary: Posture) -> Iterator[_Property]:
             yield _in_plane_of(ordinary, place, i, j, turning)
     for place in places:
         others = [joint for joint in range(len(ordinary.kinds)) if joint not in place.joints]
-        if len(place.joints) == len(others) == len("xyz"):
+        if len(place.joints) == len(others) == _DIRECTIONS:
             words = f"joints {_listed(others)} move {place.words} in fewer than 3 ways"
             yield Meaning("", words), partial(_slow, place=place, joints=others)
     for i, j in pairs:

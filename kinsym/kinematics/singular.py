@@ -84,8 +84,8 @@ def singular_set(chain: Chain, task: Task) -> SingularSet:
     if product is None:
         return _unknown(chain, task, "the determinant of the Jacobian has too many terms to look for factors")
     constant = product.constant
-    if square and task is not Task.POSITION_AXIS and determinant(base) != _value(chain, product, ordinary):
-        constant = -constant  # rows of zeros were left out: the plane of the arm is seen from its other side
+    if square and task is not Task.POSITION_AXIS:
+        constant = constant * _sign(determinant(base), _value(chain, product, ordinary))
     found = list(_conditions(arm, product))
     kept = {poly for one in found for poly in one.polys}
     lost = [poly for poly, _ in product.factors if poly not in kept]
@@ -153,6 +153,13 @@ def _conditions(arm: Arm, product: Factored) -> Iterator[Condition]:
 def _order(chain: Chain, poly: Poly) -> list[int]:
     """Later joints first, as a wrist stands before an elbow."""
     return [-chain.ring.index[name] for name in chain.ring.used(poly)]
+
+
+def _sign(base: int, value: int) -> int:
+    """1, or -1 where the plane of an arm is seen from its other side because rows of zeros were left out."""
+    if base not in (value, -value % PRIME):
+        raise ArithmeticError("the factors do not multiply to the determinant of the Jacobian")
+    return 1 if base == value else -1
 
 
 def _value(chain: Chain, product: Factored, posture: Posture) -> int:
