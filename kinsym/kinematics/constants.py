@@ -40,7 +40,7 @@ class Constants:
         generic, _, _ = split_angle(cell)
         if generic != 0 and generic not in self.angles:
             text = str(generic)
-            chosen = text if isinstance(generic, Symbol) else name
+            chosen = text if text in self.parameters else name
             taken = set(self.angles.values())
             while chosen in taken:
                 chosen += "_"

@@ -144,6 +144,8 @@ def _derivation(
         jacobian=jacobian,
         plan=plan,
         constants=(),
+        held=(),
+        angles=tuple(angles.values()),
     )
 
 

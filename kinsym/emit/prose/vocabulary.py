@@ -20,7 +20,7 @@ def all_names(derivation: Derivation) -> Iterator[str]:
     yield from robot.parameters
     trees: list[Tree] = [entry for row in derivation.forward.pose for entry in row]
     trees += [entry for row in derivation.jacobian.entries for entry in row]
-    definitions = [*derivation.constants, *derivation.jacobian.definitions]
+    definitions = [*derivation.constants, *derivation.held, *derivation.jacobian.definitions]
     for item in plan.items:
         match item:
             case Window():
@@ -42,7 +42,7 @@ def all_names(derivation: Derivation) -> Iterator[str]:
 
 def joint_angles(derivation: Derivation) -> tuple[Angle, ...]:
     """The angles of single joints whose shorthand a reader cannot guess: c1 is cos(q1), c2 is cos(elbow)."""
-    angles = tuple(angle for angle in derivation.chain.angles.values() if len(angle.terms) == 1)
+    angles = tuple(angle for angle in derivation.angles if len(angle.terms) == 1)
     return () if all(angle.name == f"theta{angle.label}" for angle in angles) else angles
 
 
@@ -51,6 +51,6 @@ def angle_sums(derivation: Derivation) -> tuple[tuple[Angle, Tree], ...]:
     used = set(all_names(derivation))
     return tuple(
         (angle, Sum(tuple(Sym(name) if sign > 0 else negated(Sym(name)) for name, sign in angle.terms)))
-        for angle in derivation.chain.angles.values()
+        for angle in derivation.angles
         if len(angle.terms) > 1 and used & {angle.name, angle.cosine, angle.sine}
     )
