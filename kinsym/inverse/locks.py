@@ -1,7 +1,7 @@
 """Arms with more joints than their task can tell: which joints to lock.
 
 A redundant arm reaches a pose in infinitely many ways. With as many joints locked as it has to spare it has finitely
-many; which choices leave an arm with a closed form is found by trying them, in the order of the joints.
+many; which choices leave an arm with a closed form is found by trying them.
 """
 
 from __future__ import annotations
@@ -10,10 +10,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import combinations
 
-from kinsym.algebra.tree import symbols
 from kinsym.errors import NoClosedForm
 from kinsym.inverse.plan import Plan
 from kinsym.inverse.search import derive_plan
+from kinsym.inverse.state import FIXED
 from kinsym.kinematics.chain import Chain, chain_to_solve
 from kinsym.kinematics.tasks import told
 from kinsym.robot.locking import lock_text
@@ -31,13 +31,9 @@ class Choice:
     plan: Plan
 
     @property
-    def order(self) -> tuple[int, int, int]:
-        """Few solutions first, then low degree, then short formulas."""
-        steps = self.plan.steps
-        trees = [tree for step in steps for tree in step.inputs.values()]
-        trees += [item.value for step in steps for item in step.coefficients]
-        length = sum(len(list(symbols(tree))) for tree in trees)
-        return self.plan.maximum, max(step.branches for step in steps), length
+    def order(self) -> tuple[int, int]:
+        """Few solutions first, then low degree."""
+        return self.plan.maximum, max(step.branches for step in self.plan.steps)
 
     def __str__(self) -> str:
         count = self.plan.maximum
@@ -54,29 +50,30 @@ def check_redundancy(robot: Robot, chain: Chain) -> None:
     if count <= ways:
         return
     spare = count - ways
-    head = (
-        f"the {count} joints{' that are not locked' if robot.locks else ''} move what the task {task.value} asks for in "
-        f"only {ways} independent ways, so {spare} of them must be locked: an input of the solver, or held at a value"
-    )
-    tried = list(_tries(robot, spare))
-    found = [
-        Choice(joints, plan) for joints in tried if (plan := _plan(_locked(robot, joints), task)) is not None
-    ]
+    joints = f"{count} joints{' that are not locked' if robot.locks else ''}"
+    if ways >= FIXED[task]:
+        head = f"{joints} are more than the {ways} that the task {task.value} fixes"
+    else:
+        head = f"the {joints} move the end effector in only {ways} independent ways, at every pose"
+    head += f", so {spare} must be locked: as an input of the solver, or at a value"
+    tried = _tries(robot, spare)
+    found = [Choice(joints, plan) for joints in tried if (plan := _plan(_locked(robot, joints), task))]
     if not found:
-        raise NoClosedForm(f"{head}. No closed form was found with {_either(tried)} locked")
+        raise NoClosedForm(f"{head}. No closed form was found with {_listed(sorted(map(' and '.join, tried)))} locked")
     best = min(found, key=lambda choice: choice.order)
-    raise NoClosedForm(
-        f"{head}. There is a closed form with {_listed([str(choice) for choice in found])}. "
-        f"Add for example {' '.join(_options(_locked(robot, best.joints)))}"
-    )
+    listed = _listed([str(choice) for choice in sorted(found, key=lambda c: [*map(robot.variables.index, c.joints)])])
+    options = " ".join(_options(_locked(robot, best.joints)))
+    raise NoClosedForm(f"{head}. There is a closed form with {listed} locked. Add for example {options}")
 
 
-def _tries(robot: Robot, spare: int) -> Iterator[tuple[str, ...]]:
-    """What to lock, in the order of the joints; of many choices those are tried that lie spread over all."""
-    free = [name for name in robot.variables if name not in robot.locks]
-    choices = list(combinations(free, spare))
-    step = -(-len(choices) // MOST_TRIES)
-    yield from choices[::step]
+def _tries(robot: Robot, spare: int) -> list[tuple[str, ...]]:
+    """What to lock, at most MOST_TRIES choices: a slide first, then joints in the middle, where an elbow turns."""
+    slides = {joint.variable for joint in robot.moving if joint.kind == "P"}
+    middle = len(robot.variables) + 1
+    away = {name: abs(2 * number - middle) for number, name in enumerate(robot.variables, start=1)}
+    choices = combinations((name for name in robot.variables if name not in robot.locks), spare)
+    ordered = sorted(choices, key=lambda c: (-sum(name in slides for name in c), sum(away[name] for name in c)))
+    return ordered[:MOST_TRIES]
 
 
 def _locked(robot: Robot, joints: tuple[str, ...]) -> Robot:
@@ -99,9 +96,5 @@ def _options(robot: Robot) -> Iterator[str]:
         yield f"--lock {name}" if value is None else f'--lock "{name}={lock_text(value)}"'
 
 
-def _either(tried: list[tuple[str, ...]]) -> str:
-    return _listed([" and ".join(joints) for joints in tried], last=" or ")
-
-
-def _listed(items: list[str], last: str = " or ") -> str:
-    return last.join([", ".join(items[:-1]), items[-1]]) if len(items) > 1 else items[0]
+def _listed(items: list[str]) -> str:
+    return " or ".join([", ".join(items[:-1]), items[-1]]) if len(items) > 1 else items[0]

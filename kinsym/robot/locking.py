@@ -17,7 +17,7 @@ from kinsym.errors import RobotError
 from kinsym.robot.expressions import names, parse
 from kinsym.robot.model import Joint, Robot
 from kinsym.robot.names import nearest, shown
-from kinsym.robot.text import cell_text, value_text
+from kinsym.robot.text import cell_text
 
 INPUT = "input"
 """What a robot file writes for a locked joint that the caller of the solver gives."""
@@ -83,11 +83,11 @@ def _value(cell: object, joint: Joint, where: str) -> Expr:
             f"{number} radians are more than a turn", where=where, remedy=f"Write deg({number}) for degrees."
         )
     if joint.limits is not None and not joint.limits[0] <= value <= joint.limits[1]:
-        low, high = map(value_text, joint.limits)
+        low, high = (f"{float(limit):.6g}" for limit in joint.limits)
         raise RobotError(
             f"{cell_text(value)} is outside the limits of {joint.variable}",
             where=where,
-            remedy=f"They are {low} and {high}.",
+            remedy=f"Give a value from {low} to {high}.",
         )
     return value
 

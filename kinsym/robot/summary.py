@@ -16,7 +16,7 @@ from kinsym.robot.text import cell_text, value_text
 
 
 def table_lines(robot: Robot) -> tuple[str, ...]:
-    """The table in aligned columns, then home frame, base, tool, parameters and locked joints, one line each.
+    """The table in aligned columns, then home frame, base, tool, locked joints and parameters, one line each.
 
     >>> from kinsym.robot import load
     >>> print(*table_lines(load("planar_rr")), sep="\\n")
@@ -36,12 +36,12 @@ def table_lines(robot: Robot) -> tuple[str, ...]:
     for key, matrix in (("base", robot.base), ("tool", robot.tool)):
         if matrix:
             lines.append(f"{key}: [" + ", ".join(_vector(row) for row in matrix[:3]) + "]")
-    if robot.parameters:
-        named = (name if value is None else f"{name} = {value_text(value)}" for name, value in robot.parameters.items())
-        lines.append("parameters: " + ", ".join(named))
     if robot.locks:
         held = (f"{name} = {cell_text(value)}" if value is not None else name for name, value in robot.locks.items())
         lines.append("locked: " + ", ".join(held))
+    if robot.parameters:
+        named = (name if value is None else f"{name} = {value_text(value)}" for name, value in robot.parameters.items())
+        lines.append("parameters: " + ", ".join(named))
     return tuple(lines)
 
 
