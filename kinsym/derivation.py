@@ -40,7 +40,7 @@ class Derivation:
 
     @property
     def held(self) -> tuple[Definition, ...]:
-        """What the inverse kinematics knows of the locked joints: the values that they are held at, cosines and sines."""
+        """What the inverse kinematics knows of the locked joints: where they are held, cosines and sines."""
         values = {name: cell for name, cell in self.robot.locks.items() if cell is not None}
         common = {item.name for item in self.constants}
         return (
@@ -58,8 +58,8 @@ class Derivation:
 def derive(robot: Robot, *, task: Task | None = None) -> Derivation:
     """Derive forward kinematics, Jacobian and inverse kinematics of a robot.
 
-    Raises :class:`kinsym.errors.NoClosedForm` where no rule applies, and where the arm has more joints than the task can
-    tell, with the joints to lock.
+    Raises :class:`kinsym.errors.NoClosedForm` where no rule applies, and where the arm has more joints than the task
+    can tell, with the joints to lock.
 
     >>> from kinsym.robot import load
     >>> derive(load("puma560")).plan.maximum

@@ -71,8 +71,7 @@ IIWA_ON_A_RAIL = (
     "-pi/2 0 0 theta5; -pi/2 0 l5 theta6; pi/2 0 0 theta7; 0 0 l7 theta8"
 )
 FOUR_PARALLEL = (
-    "pi/2 0 d1 theta1; 0 a2 0 theta2; 0 a3 0 -theta3; 0 a4 0 theta4; "
-    "pi/2 0 0 theta5; -pi/2 0 d6 theta6; 0 0 d7 theta7"
+    "pi/2 0 d1 theta1; 0 a2 0 theta2; 0 a3 0 -theta3; 0 a4 0 theta4; pi/2 0 0 theta5; -pi/2 0 d6 theta6; 0 0 d7 theta7"
 )
 PUMA = "pi/2 0 0 theta1; 0 a2 0 theta2; -pi/2 a3 d3 theta3; pi/2 0 d4 theta4; -pi/2 0 0 theta5; 0 0 0 theta6"
 

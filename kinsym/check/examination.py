@@ -252,7 +252,9 @@ class Examination:
             return
         pose, q = self.poses[which[0]], self.q[which]
         swept, each = solver.sweep(pose, q), solver.inverse(np.repeat(pose[None], len(q), axis=0), q)
-        wrong = (swept[1] != each[1]) | ~np.isclose(swept[0], each[0], rtol=0, atol=SINGLE_LIMIT, equal_nan=True).all((1, 2))
+        wrong = (swept[1] != each[1]) | ~np.isclose(swept[0], each[0], rtol=0, atol=SINGLE_LIMIT, equal_nan=True).all(
+            (1, 2)
+        )
         self.ledger.count(SWEEP_LAW, solver.name, len(q), int(wrong.sum()), limit=f"<= {SINGLE_LIMIT:g}")
 
     def _count_solutions(self, numbers: Rows | None, oracle: Rows, some: Rows) -> None:

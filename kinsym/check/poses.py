@@ -100,9 +100,7 @@ def lengths_of(robot: Robot) -> frozenset[str]:
     return frozenset(long - angular)
 
 
-def held_samples(
-    schedule: Schedule, volume: Volume, size: float, counts: Counts, rng: np.random.Generator
-) -> Samples:
+def held_samples(schedule: Schedule, volume: Volume, size: float, counts: Counts, rng: np.random.Generator) -> Samples:
     """:func:`samples` of a robot, each joint that is locked at a value standing there; inputs take any value."""
     values = {item.name: compiled(item.value, floating()) for item in schedule.held}
     still = [values[joint.name]({}) if joint.name in values else np.nan for joint in schedule.joints]

@@ -1,7 +1,7 @@
 """One face for the three answers that must agree: the exact walk, the generated NumPy module, the compiled C.
 
-All three take batches. A locked joint that is an input stands where the reference joint vector has it. ``inverse`` returns the solutions packed to the left, (m, S, n) with NaN behind them, and
-how many there are, (m,).
+All three take batches. ``inverse`` returns the solutions packed to the left, (m, S, n) with NaN behind them, and
+how many there are, (m,). A locked joint that is an input stands where the reference joint vector has it.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class Solver(Protocol):
         """(m, n) joint vectors to (m, 6, n)."""
 
     def inverse(self, poses: Floats, reference: Floats) -> Solutions:
-        """(m, 4, 4) poses and (m, n) references, with the values of locked inputs, to packed solutions and their numbers."""
+        """(m, 4, 4) poses and (m, n) references, which hold locked inputs, to packed solutions and their numbers."""
 
     def refuses(self, pose: Floats) -> bool:
         """Whether a single (4, 4) array is told to be no pose."""

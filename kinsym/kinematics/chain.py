@@ -130,8 +130,9 @@ def chain_to_solve(robot: Robot) -> Chain:
 
 def _chain(robot: Robot, locks: Mapping[str, Expr | None]) -> Chain:
     robot = replace(robot, locks=dict(locks))
-    lengths = [j.variable for j in robot.moving if j.kind == "P" and j.variable in locks and locks[j.variable] is None]
-    constants = Constants([*robot.parameters, *(name for name in lengths if name)])
+    slides = {joint.variable for joint in robot.moving if joint.kind == "P"}
+    lengths = [name for name, value in locks.items() if value is None and name in slides]
+    constants = Constants([*robot.parameters, *lengths])
     note_cells(constants, robot)
     note_locks(constants, robot)
     plain = Ring(constants.generators())

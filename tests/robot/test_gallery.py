@@ -102,7 +102,10 @@ def test_binding_one_of_several() -> None:
 
 @pytest.mark.parametrize(
     ("name", "words"),
-    [("a22", "Did you mean a2? Its parameters: a2, a3, d3, d4."), ("theta1", "Bind parameters only; a joint is held at a value by a lock (--lock).")],
+    [
+        ("a22", "Did you mean a2? Its parameters: a2, a3, d3, d4."),
+        ("theta1", "Bind parameters only; a joint is held at a value by a lock (--lock)."),
+    ],
 )
 def test_binding_what_is_no_parameter(name: str, words: str) -> None:
     with pytest.raises(RobotError) as caught:
