@@ -69,7 +69,7 @@ def derive(robot: Robot, *, task: Task | None = None) -> Derivation:
     forward = forward_kinematics(chain)
     jacobian = geometric_jacobian(chain, forward)
     solved = chain_to_solve(robot) if robot.locks else chain
-    chosen = task or robot.task or fitting_task(solved)
+    chosen = task or robot.task or fitting_task(chain, solved)
     robot = replace(robot, task=chosen)
     check_redundancy(robot, solved)
     plan = replace(derive_plan(solved, chosen), size=arm_size(chain))

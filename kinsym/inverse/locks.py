@@ -15,7 +15,7 @@ from kinsym.inverse.plan import Plan
 from kinsym.inverse.search import derive_plan
 from kinsym.inverse.state import FIXED
 from kinsym.kinematics.chain import Chain, chain_to_solve
-from kinsym.kinematics.tasks import told
+from kinsym.kinematics.tasks import rank, told
 from kinsym.robot.locking import lock_text
 from kinsym.robot.model import Robot, Task
 
@@ -46,17 +46,18 @@ def check_redundancy(robot: Robot, chain: Chain) -> None:
     The message names the joints whose lock leaves a closed form, and the command for the best of them.
     """
     task = robot.task or Task.POSE
-    count, ways = len(chain.joints), told(chain, task)
+    rows = told(chain, task)
+    count, ways = len(chain.joints), rank(rows)
     if count <= ways:
         return
     spare = count - ways
-    joints = f"{count} joints{' that are not locked' if robot.locks else ''}"
+    what = f"{count} joints{' that are not locked' if robot.locks else ''}"
     if ways >= FIXED[task]:
-        head = f"{joints} are more than the {ways} that the task {task.value} fixes"
+        head = f"{what} are more than the {ways} that the task {task.value} fixes"
     else:
-        head = f"the {joints} move the end effector in only {ways} independent ways, at every pose"
+        head = f"the {what} move the end effector in only {ways} independent ways, at every pose"
     head += f", so {spare} must be locked: as an input of the solver, or at a value"
-    tried = _tries(robot, spare)
+    tried = _tries(robot, rows, spare)
     found = [Choice(joints, plan) for joints in tried if (plan := _plan(_locked(robot, joints), task))]
     if not found:
         raise NoClosedForm(f"{head}. No closed form was found with {_listed(sorted(map(' and '.join, tried)))} locked")
@@ -66,12 +67,22 @@ def check_redundancy(robot: Robot, chain: Chain) -> None:
     raise NoClosedForm(f"{head}. There is a closed form with {listed} locked. Add for example {options}")
 
 
-def _tries(robot: Robot, spare: int) -> list[tuple[str, ...]]:
-    """What to lock, at most MOST_TRIES choices: a slide first, then joints in the middle, where an elbow turns."""
+def _tries(robot: Robot, rows: list[list[int]], spare: int) -> list[tuple[str, ...]]:
+    """What to lock so that the rest can be told, at most MOST_TRIES choices.
+
+    A slide comes first, then joints in the middle, where an elbow turns.
+    """
     slides = {joint.variable for joint in robot.moving if joint.kind == "P"}
     middle = len(robot.variables) + 1
     away = {name: abs(2 * number - middle) for number, name in enumerate(robot.variables, start=1)}
-    choices = combinations((name for name in robot.variables if name not in robot.locks), spare)
+    free = [name for name in robot.variables if name not in robot.locks]
+    columns = dict(zip(free, zip(*rows, strict=True), strict=True))
+
+    def rest_is_told(choice: tuple[str, ...]) -> bool:
+        rest = [list(column) for name, column in columns.items() if name not in choice]
+        return rank(rest) == len(rest)
+
+    choices = filter(rest_is_told, combinations(free, spare))
     ordered = sorted(choices, key=lambda c: (-sum(name in slides for name in c), sum(away[name] for name in c)))
     return ordered[:MOST_TRIES]
 
@@ -82,11 +93,8 @@ def _locked(robot: Robot, joints: tuple[str, ...]) -> Robot:
 
 
 def _plan(robot: Robot, task: Task) -> Plan | None:
-    chain = chain_to_solve(robot)
-    if told(chain, task) < len(chain.joints):
-        return None
     try:
-        return derive_plan(chain, task, budget=BUDGET)
+        return derive_plan(chain_to_solve(robot), task, budget=BUDGET)
     except NoClosedForm:
         return None
 

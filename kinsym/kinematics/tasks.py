@@ -38,8 +38,13 @@ TOLD = {
 """The rows of velocity that the columns of the pose which a task gives can tell."""
 
 
-def fitting_task(chain: Chain) -> Task:
-    """The task of an arm whose user names none."""
+def fitting_task(whole: Chain, chain: Chain) -> Task:
+    """The task of an arm whose user names none; ``chain`` lacks the locked joints of the ``whole``.
+
+    An arm that can make any pose is asked for one, also while a lock keeps it from making all.
+    """
+    if chain is not whole and mobility(whole) == len(TOLD[Task.POSE]):
+        return Task.POSE
     count = len(chain.joints)
     rows = _rows(chain)
     for task, moved, rest in FITTING.get(count, ()):
@@ -59,12 +64,13 @@ def mobility(chain: Chain) -> int:
     return rank(_rows(chain))
 
 
-def told(chain: Chain, task: Task) -> int:
-    """How many joints what a task gives can tell at a general pose; with more of them the arm is redundant."""
+def told(chain: Chain, task: Task) -> list[list[int]]:
+    """How the joints move what a task gives, at a random pose modulo the prime: one column for each joint.
+
+    An arm with more joints than the rank of this matrix is redundant.
+    """
     rows = _rows(chain)
-    if task is Task.POSITION_AXIS:
-        return rank(_position_and_axis(chain, rows))
-    return rank([rows[i] for i in TOLD[task]])
+    return _position_and_axis(chain, rows) if task is Task.POSITION_AXIS else [rows[i] for i in TOLD[task]]
 
 
 def rank(rows: list[list[int]]) -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import pytest
 
@@ -12,6 +13,7 @@ from kinsym.emit.text import equations
 from kinsym.errors import NoClosedForm
 from kinsym.inverse.plan import Window
 from kinsym.robot import from_inline, lock
+from kinsym.robot.model import Task
 from tests.arms import IIWA, IIWA_ON_A_RAIL, derivation
 
 
@@ -50,6 +52,24 @@ def test_no_lock_helps() -> None:
     assert "No closed form was found with theta1, theta2, theta3, theta4, theta5, theta6 or theta7 locked" in refusal(
         table
     )
+
+
+def test_axes_that_miss_have_their_numbers_in_the_whole_arm() -> None:
+    """A cobot on a column: its axes 4, 5 and 6 are those of joints 5, 6 and 7."""
+    table = (
+        "0 0 d1 0; pi/2 0 l1 theta2; 0 a2 0 theta3; pi/2 0 0 theta4; -pi/2 0 l4 theta5; pi/2 0 l5 theta6; 0 0 l6 theta7"
+    )
+    with pytest.raises(NoClosedForm, match=r"axes 5 and 7 miss by l5. With l5 = 0 axes 5, 6, 7 would meet"):
+        derive(lock(from_inline(table, convention="paul"), {"d1": None}))
+
+
+def test_the_task_of_a_locked_arm() -> None:
+    """Six joints of which one is locked are still asked for poses; a planar arm of four for its plane."""
+    assert derivation("five_left").plan.task is Task.POSE
+    assert derivation("five_left").plan.gate
+    assert derivation("plane_of_four").plan.task is Task.PLANAR
+    last = lock(derivation("five_left").robot, {"theta6": None})
+    assert derive(replace(last, task=None)).plan.task is Task.POSE
 
 
 def test_full_joint_vectors() -> None:
