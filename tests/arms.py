@@ -83,6 +83,7 @@ LOCKED: dict[str, tuple[str, str, dict[str, str | None]]] = {
     "spheres_first": ("paul", IIWA, {"theta1": None}),
     "panda": ("craig", PANDA, {"theta7": None}),
     "panda_held": ("craig", PANDA, {"theta7": "pi/4"}),
+    "panda_held_back": ("craig", PANDA, {"theta7": "-3*pi/4"}),
     "rail": ("paul", ON_A_RAIL, {"d1": None}),
     "rail_held": ("paul", ON_A_RAIL, {"d1": "0.5"}),
     "rail_and_elbow": ("paul", IIWA_ON_A_RAIL, {"d1": None, "theta4": "0.3"}),

@@ -40,11 +40,16 @@ class Constants:
         generic, _, _ = split_angle(cell)
         if generic != 0 and generic not in self.angles:
             text = str(generic)
-            chosen = text if text in self.parameters else name
+            chosen = text if isinstance(generic, Symbol) else name
             taken = set(self.angles.values())
             while chosen in taken:
                 chosen += "_"
             self.angles[generic] = chosen
+
+    def note_held(self, cell: Expr, label: str) -> None:
+        """Register the cosine and sine of a locked joint under the label of its angle: c3, s3, signs and all."""
+        if split_angle(cell)[0] != 0:
+            self.angles.setdefault(cell, label)
 
     def note_entry(self, ring: Ring, poly: Poly, name: str) -> None:
         """Give an entry of the base or of the tool a name of its own if it is more than a number or a parameter."""
@@ -96,6 +101,12 @@ class Constants:
         for _ in range(quarters):
             c, s = -s, c
         return c, s
+
+    def held(self, ring: Ring, cell: Expr) -> tuple[Poly, Poly]:
+        """The cosine and sine of a locked joint."""
+        if split_angle(cell)[0] == 0:
+            return self.angle(ring, cell)
+        return ring["c" + self.angles[cell]], ring["s" + self.angles[cell]]
 
     def formulas(self) -> list[tuple[str, Expr]]:
         """Each constant with its expression over the parameters, in an order that can be computed."""

@@ -102,7 +102,7 @@ def note_locks(constants: Constants, robot: Robot) -> None:
         if joint.variable in robot.locks:
             cell = held_at(robot, joint.variable)
             if joint.kind == "R":
-                constants.note_angle(cell, digits[joint.variable])
+                constants.note_held(cell, digits[joint.variable])
             else:
                 constants.note_length(cell)
 
@@ -132,7 +132,7 @@ def with_locks(
 
 def _held(ring: Ring, constants: Constants, value: Expr, joint: Motion) -> Rigid:
     if joint.kind == "R":
-        c, s = constants.angle(ring, value)
+        c, s = constants.held(ring, value)
         return Rigid(turn_z(ring, c, s * joint.sign), (ring.zero,) * 3)
     return Rigid(identity(ring), (ring.zero, ring.zero, constants.length(ring, value) * joint.sign))
 

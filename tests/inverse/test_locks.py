@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 
-from kinsym.algebra.tree import Definition
+from kinsym.algebra.tree import Call, Definition
 from kinsym.derivation import derive
 from kinsym.emit.text import equations
 from kinsym.errors import NoClosedForm
@@ -102,6 +102,16 @@ def test_a_lock_at_zero_joins_the_groups_beside_it() -> None:
     assert found.held == (Definition(name="theta3", value=found.held[0].value),)
     assert "2m4" in {angle.label for angle in found.angles}
     assert "theta2m4 = theta2 - theta4" in equations(found)
+
+
+@pytest.mark.parametrize("value", ["-0.5", "3*pi/4", "-pi/3", "2"])
+def test_c3_is_the_cosine_of_theta3(value: str) -> None:
+    """Whatever its sign and quarter; the forward kinematics means the same by it."""
+    found = derive(lock(from_inline(IIWA, convention="paul", name="arm"), {"theta3": value}))
+    angle, cosine, sine = found.held
+    assert (angle.name, cosine.name, sine.name) == ("theta3", "c3", "s3")
+    assert cosine.value == Call("cos", (angle.value,))
+    assert sine.value == Call("sin", (angle.value,))
 
 
 def test_what_is_given_is_said() -> None:
