@@ -25,6 +25,7 @@ examples:
   kinsym derive my_robot.toml -o out        a robot file, into ./out
   kinsym derive table.csv --convention craig
   kinsym derive --dh "pi/2 0 d1 theta1; 0 a2 0 theta2" --convention paul --name two_links
+  kinsym derive kuka_iiwa --lock theta3     an arm with seven joints: theta3 is an input
   kinsym show ur5                           the equations only
   kinsym check out                          the checks again, on the files in ./out
 
@@ -74,6 +75,13 @@ def _add_table(command: argparse.ArgumentParser) -> None:
     command.add_argument("--task", choices=TASKS, help="what of the pose to reach (default: what the arm can)")
     command.add_argument(
         "--bind", metavar="NAME=VALUE", action="append", default=[], help="fold a parameter's number in (repeatable)"
+    )
+    command.add_argument(
+        "--lock",
+        metavar="JOINT[=VALUE]",
+        action="append",
+        default=[],
+        help="do not solve for a joint: it is an input, or held at VALUE (repeatable; instead of the file's locks)",
     )
 
 

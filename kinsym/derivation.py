@@ -8,9 +8,12 @@ from functools import cached_property
 from kinsym.algebra.convert import tree_of
 from kinsym.algebra.tree import Definition
 from kinsym.inverse.families import Family, families
+from kinsym.inverse.assemble import arm_size
+from kinsym.inverse.locks import check_redundancy
 from kinsym.inverse.plan import Plan
 from kinsym.inverse.search import derive_plan
-from kinsym.kinematics.chain import Chain, build_chain
+from kinsym.kinematics.angles import Angle
+from kinsym.kinematics.chain import Chain, build_chain, chain_to_solve
 from kinsym.kinematics.forward import Forward, forward_kinematics
 from kinsym.kinematics.jacobian import Jacobian, geometric_jacobian
 from kinsym.kinematics.singular import SingularSet, singular_set
@@ -20,10 +23,15 @@ from kinsym.robot.model import Robot, Task
 
 @dataclass(frozen=True, kw_only=True)
 class Derivation:
-    """A robot with its kinematics; ``robot.task`` is the task that was solved."""
+    """A robot with its kinematics; ``robot.task`` is the task that was solved.
+
+    ``chain`` has every joint, ``solved`` those that no lock holds: forward kinematics and Jacobian are of the one, the
+    plan is of the other.
+    """
 
     robot: Robot
     chain: Chain
+    solved: Chain
     forward: Forward
     jacobian: Jacobian
     plan: Plan
@@ -31,23 +39,40 @@ class Derivation:
     @property
     def constants(self) -> tuple[Definition, ...]:
         """The constants of the table that are no polynomials: sqrt(2), cosines and sines of twists."""
-        return tuple(Definition(name=n, value=tree_of(e)) for n, e in self.chain.constants.formulas())
+        return _definitions(self.chain)
+
+    @property
+    def held(self) -> tuple[Definition, ...]:
+        """What the inverse kinematics knows of the locked joints: where they are held, cosines and sines."""
+        values = {name: cell for name, cell in self.robot.locks.items() if cell is not None}
+        common = {item.name for item in self.constants}
+        return (
+            *(Definition(name=name, value=tree_of(cell)) for name, cell in values.items()),
+            *(item for item in _definitions(self.solved) if item.name not in common),
+        )
+
+    @property
+    def angles(self) -> tuple[Angle, ...]:
+        """The angles that have names, those between the nodes of either chain."""
+        own = {angle.label: angle for angle in self.chain.angles.values()}
+        return tuple((own | {a.label: a for a in self.solved.angles.values() if a.label not in own}).values())
 
     @cached_property
     def singular(self) -> SingularSet:
         """Where the arm is singular: det J in factors, and what each of them means."""
-        return singular_set(self.chain, self.plan.task)
+        return singular_set(self.solved, self.plan.task)
 
     @cached_property
     def families(self) -> tuple[Family, ...]:
         """Where a joint is free, what follows it and what stays constant."""
-        return families(self.chain, self.singular, self.plan)
+        return families(self.solved, self.singular, self.plan)
 
 
 def derive(robot: Robot, *, task: Task | None = None) -> Derivation:
     """Derive forward kinematics, Jacobian and inverse kinematics of a robot.
 
-    Raises :class:`kinsym.errors.NoClosedForm` where no rule applies.
+    Raises :class:`kinsym.errors.NoClosedForm` where no rule applies, and where the arm has more joints than the task
+    can tell, with the joints to lock.
 
     >>> from kinsym.robot import load
     >>> derive(load("puma560")).plan.maximum
@@ -56,6 +81,13 @@ def derive(robot: Robot, *, task: Task | None = None) -> Derivation:
     chain = build_chain(robot)
     forward = forward_kinematics(chain)
     jacobian = geometric_jacobian(chain, forward)
-    chosen = task or robot.task or fitting_task(chain, jacobian)
-    plan = derive_plan(chain, chosen)
-    return Derivation(robot=replace(robot, task=chosen), chain=chain, forward=forward, jacobian=jacobian, plan=plan)
+    solved = chain_to_solve(robot) if robot.locks else chain
+    chosen = task or robot.task or fitting_task(chain, solved)
+    robot = replace(robot, task=chosen)
+    check_redundancy(robot, solved)
+    plan = replace(derive_plan(solved, chosen), size=arm_size(chain))
+    return Derivation(robot=robot, chain=chain, solved=solved, forward=forward, jacobian=jacobian, plan=plan)
+
+
+def _definitions(chain: Chain) -> tuple[Definition, ...]:
+    return tuple(Definition(name=n, value=tree_of(e)) for n, e in chain.constants.formulas())

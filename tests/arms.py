@@ -10,7 +10,7 @@ from typing import Any
 from kinsym.derivation import Derivation, derive
 from kinsym.emit import TARGETS
 from kinsym.emit.program import build_schedule
-from kinsym.robot import from_inline, gallery, load, to_toml
+from kinsym.robot import from_inline, gallery, load, lock, to_toml
 from kinsym.robot.files import from_draft
 from kinsym.robot.model import Robot
 
@@ -53,8 +53,51 @@ SHAPES = {
 }
 """Paul tables, cells alpha a d theta."""
 
+IIWA = (
+    "-pi/2 0 d1 theta1; pi/2 0 0 theta2; pi/2 0 d3 theta3; -pi/2 0 0 theta4; "
+    "-pi/2 0 d5 theta5; pi/2 0 0 theta6; 0 0 d7 theta7"
+)
+# Franka Robotics, Franka Control Interface documentation: Denavit-Hartenberg parameters (Craig), flange at 0.107.
+PANDA = (
+    "0 0 0.333 theta1; -pi/2 0 0 theta2; pi/2 0 0.316 theta3; pi/2 0.0825 0 theta4; "
+    "-pi/2 -0.0825 0.384 theta5; pi/2 0 0 theta6; pi/2 0.088 0.107 theta7"
+)
+ON_A_RAIL = (
+    "pi/2 0 d1 0; pi/2 0 l2 theta2+pi/2; 0 a3 0 theta3; pi/2 0 0 theta4; "
+    "-pi/2 0 l5 theta5; pi/2 0 0 theta6; 0 0 l7 theta7"
+)
+IIWA_ON_A_RAIL = (
+    "pi/2 0 d1 0; -pi/2 0 l1 theta2; pi/2 0 0 theta3; pi/2 0 l3 theta4; "
+    "-pi/2 0 0 theta5; -pi/2 0 l5 theta6; pi/2 0 0 theta7; 0 0 l7 theta8"
+)
+FOUR_PARALLEL = (
+    "pi/2 0 d1 theta1; 0 a2 0 theta2; 0 a3 0 -theta3; 0 a4 0 theta4; pi/2 0 0 theta5; -pi/2 0 d6 theta6; 0 0 d7 theta7"
+)
+PUMA = "pi/2 0 0 theta1; 0 a2 0 theta2; -pi/2 a3 d3 theta3; pi/2 0 d4 theta4; -pi/2 0 0 theta5; 0 0 0 theta6"
+
+LOCKED: dict[str, tuple[str, str, dict[str, str | None]]] = {
+    "spheres": ("paul", IIWA, {"theta3": None}),
+    "spheres_held": ("paul", IIWA, {"theta3": "pi/4"}),
+    "spheres_held_plane": ("paul", IIWA, {"theta3": "0"}),
+    "spheres_wrist": ("paul", IIWA, {"theta5": "-1.2"}),
+    "spheres_first": ("paul", IIWA, {"theta1": None}),
+    "panda": ("craig", PANDA, {"theta7": None}),
+    "panda_held": ("craig", PANDA, {"theta7": "pi/4"}),
+    "panda_held_back": ("craig", PANDA, {"theta7": "-3*pi/4"}),
+    "rail": ("paul", ON_A_RAIL, {"d1": None}),
+    "rail_held": ("paul", ON_A_RAIL, {"d1": "0.5"}),
+    "rail_and_elbow": ("paul", IIWA_ON_A_RAIL, {"d1": None, "theta4": "0.3"}),
+    "four_parallel": ("paul", FOUR_PARALLEL, {"theta3": None}),
+    "four_parallel_held": ("paul", FOUR_PARALLEL, {"theta3": "0"}),
+    "five_left": ("paul", PUMA, {"theta4": None}),
+    "screw": ("screw", "elbow_6r_screw", {"theta6": None}),
+    "screw_slide": ("screw", "stanford_screw", {"d3": "0.4"}),
+    "plane_of_four": ("paul", "0 l1 0 theta1; 0 l2 0 theta2; 0 l3 0 theta3; 0 l4 0 theta4", {"theta4": None}),
+}
+"""Arms with locked joints: convention, table (a gallery name for screws), locks."""
+
 FRAMED = "framed"
-NAMES = (*gallery(), *SHAPES, FRAMED)
+NAMES = (*gallery(), *SHAPES, *LOCKED, FRAMED)
 
 
 @cache
@@ -62,6 +105,11 @@ def robot(name: str) -> Robot:
     """A gallery robot or a shape."""
     if name == FRAMED:
         return framed()
+    if name in LOCKED:
+        convention, table, locks = LOCKED[name]
+        screw = convention == "screw"
+        arm = load(table, name=name) if screw else from_inline(table, convention=convention, name=name)
+        return lock(arm, locks)
     return from_inline(SHAPES[name], convention="paul", name=name) if name in SHAPES else load(name)
 
 

@@ -167,6 +167,12 @@ def test_check_without_a_report(kinsym: Run) -> None:
         (["derive", PLANAR, "-o", "file/x"], "is a file"),
         (["derive", "nothing.toml"], "nothing.toml"),
         (["derive", PLANAR, "--frob"], "--frob"),
+        (["derive", "kuka_iiwa", "--lock", "theat3"], "--lock: kuka_iiwa has no joint 'theat3'. Did you mean theta3?"),
+        (["derive", "kuka_iiwa", "--lock", "theta3=nan"], "--lock theta3: NaN and infinity are not numbers"),
+        (["derive", "kuka_iiwa", "--lock", "theta3=30"], "30 radians are more than a turn. Write deg(30)"),
+        (["derive", "kuka_iiwa", "--lock", "theta3="], "'theta3=' is neither JOINT nor JOINT=VALUE"),
+        (["derive", "kuka_iiwa", "--lock", "theta3", "--lock", "theta3=1"], "theta3 is locked twice"),
+        (["show", PLANAR, "--lock", "theta1", "--lock", "theta2"], "every joint is locked"),
         ([], "COMMAND"),
     ],
 )
@@ -177,6 +183,30 @@ def test_wrong_input(kinsym: Run, arguments: list[str], message: str) -> None:
     assert message in kinsym.err
     assert os.listdir(kinsym.folder) == ["file"]
     assert Path("file").read_text() == "mine"
+
+
+def test_locks_of_the_command_line(kinsym: Run) -> None:
+    """They stand in place of the file's; the report keeps them, so that the check needs no option."""
+    assert kinsym("derive", "kuka_iiwa", "--lock", "theta5=-30deg", "--target", "numpy", "--quiet", "-o", "x") == 0
+    source = (kinsym.folder / "x" / "kuka_iiwa.py").read_text()
+    assert 'LOCKED = {"theta5": -np.pi / 6.0}' in source
+    assert "def ik(T, *, reference=None, d1=0.36" in source
+    assert kinsym("check", "x") == 0
+    assert kinsym("show", "kuka_iiwa", "--lock", "theta6") == 0
+    assert "theta6 is given" in kinsym.out
+    assert "theta3 is given" not in kinsym.out
+
+
+def test_an_arm_with_a_joint_to_spare(kinsym: Run) -> None:
+    """Status 1, nothing written, and the option that helps."""
+    rows = (
+        "pi/2 0 d1 theta1; 0 a2 0 theta2; 0 a3 0 theta3; 0 a4 0 theta4; "
+        "pi/2 0 0 theta5; -pi/2 0 d6 theta6; 0 0 d7 theta7"
+    )
+    assert kinsym("derive", "--dh", rows, "--convention", "paul") == 1
+    assert "Add for example --lock theta4" in kinsym.err
+    assert os.listdir(kinsym.folder) == []
+    assert kinsym("show", "--dh", rows, "--convention", "paul", "--lock", "theta4") == 0
 
 
 def test_version_and_help(kinsym: Run) -> None:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from kinsym.check.laws import CLOSURE, COPY, FORWARD, PATH, SAME, Judge, malformed, outward
 from kinsym.check.ledger import Ledger
-from kinsym.check.poses import KINDS, PAIR, UNIFORM, Counts, generator, samples
+from kinsym.check.poses import KINDS, PAIR, UNIFORM, Counts, generator, held_samples
 from kinsym.check.singular import volume_of
 from kinsym.check.singular_set import hold_singular_set
 from kinsym.check.solvers import ExactSolver, Floats, NumpySolver, Solutions, Solver, TreeKinematics
@@ -61,6 +61,7 @@ REFUSE_LAW = "what is no pose is refused"
 FAR_LAW = "no solution beyond the reach"
 NOISE_LAW = "rotations known to nine digits are solved"
 SINGLE_LAW = "ik and ik_batch agree"
+SWEEP_LAW = "ik_sweep and ik_batch agree"
 ERROR_LAW = "runs without an error"
 
 
@@ -88,7 +89,7 @@ class Examination:
         self.judge = Judge(
             self.kinematics, schedule.task, revolute, float(schedule.tau), CLOSURE if sifted(schedule) else PATH
         )
-        self.samples = samples(schedule.joints, self._volume, self.kinematics.size, counts, self.rng)
+        self.samples = held_samples(schedule, self._volume, self.kinematics.size, counts, self.rng)
         self.q = self.samples.q
         self.poses = self.exact.forward(self.q)
         self.solution_counts: Counter[int] = Counter()
@@ -116,6 +117,7 @@ class Examination:
                     self._noise(target, noisy)
                 if isinstance(target, NumpySolver):
                     self._single(target, some[:SINGLE_POSES])
+                    self._sweep(target, some[:SINGLE_POSES])
             except Exception as error:  # generated code that was edited may raise anything
                 self.ledger.fail(ERROR_LAW, target.name, f"{type(error).__name__}: {error}")
                 continue
@@ -133,7 +135,8 @@ class Examination:
 
     def _volume(self, q: Floats) -> Floats:
         pose, jacobian = self.kinematics.forward(q), self.kinematics.jacobian(q)
-        return volume_of(task_jacobian(jacobian, pose, self.schedule.task, self.kinematics.size))
+        slope = task_jacobian(jacobian, pose, self.schedule.task, self.kinematics.size)
+        return volume_of(slope[..., self.kinematics.free])
 
     @property
     def _length(self) -> float:
@@ -174,7 +177,7 @@ class Examination:
         self.ledger.judge(INVERSE_LAW, name, self._closures(answer, self.poses[which]), CLOSURE)
         self._known(name, answer, which)
         self.ledger.count(COPY_LAW, name, len(which), self.judge.copies(q), limit=f"> {COPY:g} apart")
-        angles = q[..., self.judge.revolute]
+        angles = q[..., self.judge.revolute & self.kinematics.free]
         with np.errstate(invalid="ignore"):
             inside = np.all((angles > -np.pi) & (angles <= np.pi), axis=-1)
         outside = (np.arange(q.shape[1]) < count[:, None]) & ~inside
@@ -246,6 +249,17 @@ class Examination:
             single, batch = solver.single(self.poses[sample], self.q[sample]), q[row, : count[row]]
             wrong += single.shape != batch.shape or not np.allclose(single, batch, rtol=0, atol=SINGLE_LIMIT)
         self.ledger.count(SINGLE_LAW, solver.name, len(which), wrong, limit=f"<= {SINGLE_LIMIT:g}")
+
+    def _sweep(self, solver: NumpySolver, which: Rows) -> None:
+        """One pose over the values that the locked inputs have in all samples: as many single calls."""
+        if not self.schedule.inputs:
+            return
+        pose, q = self.poses[which[0]], self.q[which]
+        swept, each = solver.sweep(pose, q), solver.inverse(np.repeat(pose[None], len(q), axis=0), q)
+        wrong = (swept[1] != each[1]) | ~np.isclose(swept[0], each[0], rtol=0, atol=SINGLE_LIMIT, equal_nan=True).all(
+            (1, 2)
+        )
+        self.ledger.count(SWEEP_LAW, solver.name, len(q), int(wrong.sum()), limit=f"<= {SINGLE_LIMIT:g}")
 
     def _count_solutions(self, numbers: Rows | None, oracle: Rows, some: Rows) -> None:
         uniform = self.samples.of(UNIFORM)

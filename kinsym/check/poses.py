@@ -7,14 +7,15 @@ exactly and at distances 10^-3 .. 10^-16. The generator is seeded by the robot's
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import numpy as np
 from numpy.typing import NDArray
 
+from kinsym.check.evaluate import compiled, floating
 from kinsym.check.singular import Volume, zeros
-from kinsym.emit.schedule import JointName, Parameter
+from kinsym.emit.schedule import JointName, Parameter, Schedule
 from kinsym.robot.model import Robot
 
 Floats = NDArray[np.float64]
@@ -97,6 +98,23 @@ def lengths_of(robot: Robot) -> frozenset[str]:
     for cell in robot.home.q0 if robot.home else ():
         long |= {symbol.name for symbol in cell.free_symbols}
     return frozenset(long - angular)
+
+
+def held_samples(schedule: Schedule, volume: Volume, size: float, counts: Counts, rng: np.random.Generator) -> Samples:
+    """:func:`samples` of a robot, each joint that is locked at a value standing there; inputs take any value."""
+    values = {item.name: compiled(item.value, floating()) for item in schedule.held}
+    still = [values[joint.name]({}) if joint.name in values else np.nan for joint in schedule.joints]
+    moved = np.isnan(still)
+
+    def whole(q: Floats) -> Floats:
+        full = np.empty((*q.shape[:-1], len(still)))
+        full[...] = still
+        full[..., moved] = q
+        return full
+
+    joints = tuple(joint for joint in schedule.joints if joint.name not in values)
+    drawn = samples(joints, lambda q: volume(whole(q)), size, counts, rng)
+    return replace(drawn, q=whole(drawn.q))
 
 
 def samples(

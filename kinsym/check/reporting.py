@@ -12,6 +12,7 @@ from kinsym import __version__
 from kinsym.check.report import Report
 from kinsym.check.singular_set import singular_figures
 from kinsym.emit.operations import inverse_operations, line_operations
+from kinsym.robot.locking import lock_text
 from kinsym.robot.summary import to_toml
 from kinsym.robot.text import value_text
 
@@ -29,7 +30,7 @@ def report_of(robot: Robot, schedule: Schedule, sources: Mapping[str, str], find
         version=__version__,
         digest=schedule.digest,
         task=schedule.task.value,
-        joints=tuple(f"{joint.name} ({joint.kind})" for joint in schedule.joints),
+        joints=tuple(f"{joint.name} ({joint.kind}{_locked(robot, joint.name)})" for joint in schedule.joints),
         parameters={parameter.name: _value(parameter.value) for parameter in schedule.parameters},
         maximum=schedule.maximum,
         table=to_toml(robot).splitlines(),
@@ -44,6 +45,10 @@ def report_of(robot: Robot, schedule: Schedule, sources: Mapping[str, str], find
         files={name: hashlib.sha256(text.encode()).hexdigest() for name, text in sources.items()},
         measured=findings.measured if findings else {},
     )
+
+
+def _locked(robot: Robot, name: str) -> str:
+    return f", locked: {lock_text(robot.locks[name])}" if name in robot.locks else ""
 
 
 def _value(value: Fraction | None) -> str | None:

@@ -46,7 +46,7 @@ def hold_singular_set(
     if schedule.singular is None:
         return
     numbers = SingularNumbers(schedule, schedule.singular, parameters)
-    errors = numbers.determinant_errors(starts, target.jacobian(starts), target.forward(starts))
+    errors = numbers.determinant_errors(starts, numbers.moving(target.jacobian(starts)), target.forward(starts))
     if errors.size:
         ledger.judge(DETERMINANT_LAW, target.name, errors, DETERMINANT_LIMIT)
     size = numbers.size
@@ -54,7 +54,7 @@ def hold_singular_set(
     zeros = list(numbers.zeros(starts, reach))
     if zeros:
         q = np.stack(zeros)
-        left = smallest(target.jacobian(q), target.forward(q), schedule.task, size)
+        left = smallest(numbers.moving(target.jacobian(q)), target.forward(q), schedule.task, size)
         ledger.judge(ZERO_LAW, target.name, left, ZERO_LIMIT)
 
 
@@ -66,16 +66,22 @@ class SingularNumbers:
         self._task = schedule.task
         self._set = poses.set
         self._joints = [joint.name for joint in schedule.joints]
+        self._moving = [place for place, name in enumerate(self._joints) if name not in schedule.locked]
+        self._held = Program(schedule.held, (), self._numbers)
         given: dict[str, Any] = {name: value.numerator / value.denominator for name, value in parameters.items()}
         self._given = Program(schedule.constants, (), self._numbers).names(given)
         self._angles = Program(poses.angles, (), self._numbers)
         self._sums = {item.name: item.value for item in poses.angles}
         self.size = float(Program((), (schedule.size,), self._numbers)({**AT_THE_ORIGIN, **self._given})[0])
 
+    def moving(self, jacobian: Floats) -> Floats:
+        """The columns (..., 6, k) of joints that no lock holds."""
+        return jacobian[..., self._moving]
+
     def determinant_errors(self, q: Floats, jacobian: Floats, poses: Floats) -> Floats:
         """|det J - product| against the product of the lengths of J's columns, shape (m,); empty where J is not square.
 
-        ``q`` (m, n), ``jacobian`` (m, 6, n), ``poses`` (m, 4, 4).
+        ``q`` (m, n), ``jacobian`` (m, 6, k) of the joints that move, ``poses`` (m, 4, 4).
         """
         if not self._set.square:
             return np.empty(0)
@@ -100,7 +106,7 @@ class SingularNumbers:
 
     def _names(self, q: Floats) -> dict[str, Any]:
         values = {name: q[..., place] for place, name in enumerate(self._joints)}
-        return self._angles.names({**self._given, **values})
+        return self._angles.names(self._held.names({**self._given, **values}))
 
     def _zero(self, condition: Condition, start: Floats, reach: Floats) -> Floats | None:
         """The start with joints moved so that every expression of the condition vanishes, one after the other."""
@@ -121,7 +127,7 @@ class SingularNumbers:
     def _movers(self, value: Tree) -> list[int]:
         """The joints that an expression depends on."""
         names = {name for symbol in symbols(value) for name in symbols(self._sums.get(symbol, Sym(symbol)))}
-        return [place for place, name in enumerate(self._joints) if name in names]
+        return [place for place in self._moving if self._joints[place] in names]
 
     def _root(self, function: Compiled, q: Floats, place: int, reach: float) -> float | None:
         """A sign change of an expression along one joint, halved until nothing is left of it."""

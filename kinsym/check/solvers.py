@@ -1,7 +1,7 @@
 """One face for the three answers that must agree: the exact walk, the generated NumPy module, the compiled C.
 
 All three take batches. ``inverse`` returns the solutions packed to the left, (m, S, n) with NaN behind them, and
-how many there are, (m,).
+how many there are, (m,). A locked joint that is an input stands where the reference joint vector has it.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class Solver(Protocol):
         """(m, n) joint vectors to (m, 6, n)."""
 
     def inverse(self, poses: Floats, reference: Floats) -> Solutions:
-        """(m, 4, 4) poses and (m, n) references to packed solutions and their numbers."""
+        """(m, 4, 4) poses and (m, n) references, which hold locked inputs, to packed solutions and their numbers."""
 
     def refuses(self, pose: Floats) -> bool:
         """Whether a single (4, 4) array is told to be no pose."""
@@ -89,8 +89,9 @@ class NumpySolver:
 
     name = "NumPy"
 
-    def __init__(self, module: ModuleType, parameters: Mapping[str, Fraction]) -> None:
+    def __init__(self, module: ModuleType, schedule: Schedule, parameters: Mapping[str, Fraction]) -> None:
         self._module = module
+        self._inputs = _inputs(schedule)
         self._parameters = {name: as_float(value) for name, value in parameters.items()}
 
     @staticmethod
@@ -115,26 +116,43 @@ class NumpySolver:
         return np.asarray(self._module.jacobian(q, **self._parameters), dtype=np.float64)
 
     def inverse(self, poses: Floats, reference: Floats) -> Solutions:
-        q, valid = self._module.ik_batch(poses, reference=reference, **self._parameters)
-        order = np.argsort(~valid, axis=-1, kind="stable")
-        packed = np.take_along_axis(np.where(valid[..., None], q, np.nan), order[..., None], axis=-2)
-        # a NaN in a solution told to be valid must not pass for padding
-        broken = np.isnan(q) & valid[..., None]
-        packed[np.take_along_axis(broken, order[..., None], axis=-2)] = np.inf
-        return packed, valid.sum(axis=-1)
+        q, valid = self._module.ik_batch(poses, reference=reference, **self._given(reference))
+        return _packed(q, valid)
 
     def single(self, pose: Floats, reference: Floats) -> Floats:
         """``ik`` of one pose: (k, n)."""
-        return np.asarray(self._module.ik(pose, reference=reference, **self._parameters), dtype=np.float64)
+        return np.asarray(self._module.ik(pose, reference=reference, **self._given(reference)), dtype=np.float64)
+
+    def sweep(self, pose: Floats, reference: Floats) -> Solutions:
+        """``ik_sweep`` of one pose (4, 4) over the locked inputs of (k, n) joint vectors, packed."""
+        return _packed(*self._module.ik_sweep(pose, reference=reference, **self._given(reference)))
+
+    def _given(self, reference: Floats) -> dict[str, Any]:
+        return {**self._parameters, **{name: reference[..., column] for column, name in self._inputs}}
 
     def refuses(self, pose: Floats) -> bool:
+        given = {**self._parameters, **{name: 0.0 for _, name in self._inputs}}
         for function in (self._module.ik, self._module.ik_batch):
             try:
-                function(pose, **self._parameters)
+                function(pose, **given)
             except ValueError:
                 continue
             return False
         return True
+
+
+def _packed(q: Floats, valid: NDArray[np.bool_]) -> Solutions:
+    order = np.argsort(~valid, axis=-1, kind="stable")
+    packed = np.take_along_axis(np.where(valid[..., None], q, np.nan), order[..., None], axis=-2)
+    # a NaN in a solution told to be valid must not pass for padding
+    broken = np.isnan(q) & valid[..., None]
+    packed[np.take_along_axis(broken, order[..., None], axis=-2)] = np.inf
+    return packed, valid.sum(axis=-1)
+
+
+def _inputs(schedule: Schedule) -> list[tuple[int, str]]:
+    """Column and name of every locked joint that is an input."""
+    return [(column, joint.name) for column, joint in enumerate(schedule.joints) if joint.name in schedule.inputs]
 
 
 class CSolver:
@@ -144,8 +162,9 @@ class CSolver:
 
     def __init__(self, library: ctypes.CDLL, schedule: Schedule, parameters: Mapping[str, Fraction]) -> None:
         self._n, self._most = len(schedule.joints), schedule.maximum
-        values = [as_float(parameters[parameter.name]) for parameter in schedule.parameters] or [0.0]
-        self._given = (ctypes.c_double * len(values))(*values)
+        values = [as_float(parameters[parameter.name]) for parameter in schedule.parameters]
+        self._places = [(len(values) + k, column) for k, (column, _) in enumerate(_inputs(schedule))]
+        self._given = (ctypes.c_double * max(1, len(values) + len(self._places)))(*values)
         self._fk = getattr(library, f"{schedule.name}_fk")
         self._jacobian = getattr(library, f"{schedule.name}_jacobian")
         self._ik = getattr(library, f"{schedule.name}_ik_near")
@@ -167,6 +186,8 @@ class CSolver:
         buffer = np.empty((self._most, self._n))
         count = np.zeros(len(poses), dtype=np.intp)
         for row in range(len(poses)):
+            for place, column in self._places:
+                self._given[place] = reference[row, column]
             found = self._ik(poses[row].ctypes.data, self._given, reference[row].ctypes.data, buffer.ctypes.data)
             count[row] = max(0, found)
             q[row, : count[row]] = np.where(np.isnan(buffer[: count[row]]), np.inf, buffer[: count[row]])
@@ -191,6 +212,7 @@ class TreeKinematics:
     def __init__(self, schedule: Schedule, parameters: Mapping[str, Fraction]) -> None:
         numbers = floating()
         self._names = [joint.name for joint in schedule.joints]
+        self.free = np.array([name not in schedule.locked for name in self._names])
         given: dict[str, Any] = {name: as_float(value) for name, value in parameters.items()}
         constants = Program(schedule.constants, (), numbers)
         self._given = constants.names(given)
@@ -207,11 +229,12 @@ class TreeKinematics:
         return pose
 
     def jacobian(self, q: Floats) -> Floats:
-        """(..., n) to (..., 6, n)."""
+        """(..., n) to (..., 6, n); a locked joint does not move, so its column is zero."""
         n = len(self._names)
         result = np.zeros((*q.shape[:-1], 6, n))
         for position, value in enumerate(self._jacobian(self._with(q))):
             result[..., position // n, position % n] = value
+        result[..., ~self.free] = 0.0
         return result
 
     def _with(self, q: Floats) -> dict[str, Any]:

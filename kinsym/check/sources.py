@@ -37,7 +37,7 @@ class Sources:
         """One solver for each language at hand, for one choice of parameters."""
         found: list[Solver] = []
         if self.module is not None:
-            found.append(NumpySolver(self.module, parameters))
+            found.append(NumpySolver(self.module, self.schedule, parameters))
         if self.library is not None:
             found.append(CSolver(self.library, self.schedule, parameters))
         return found

@@ -46,6 +46,7 @@ class ExactWalk:
         self.joints = [joint.name for joint in schedule.joints]
         given: Environment = {name: numbers.number(value) for name, value in parameters.items()}
         self.given = given = Program(schedule.constants, (), numbers).names(given)
+        self._held = Program(schedule.held, (), numbers)
         self._size = compiled(schedule.size, numbers)
         self.size: Value = self._size({**AT_THE_ORIGIN, **given})
         self._tau = numbers.number(schedule.tau)
@@ -75,18 +76,18 @@ class ExactWalk:
     def inverse(self, pose: Pose, reference: Sequence[Value] | None = None) -> list[list[Value]] | None:
         """All solutions in order, or None if ``pose`` (4x4) is not a pose.
 
-        ``reference`` gives the values of joints that are free at this pose; zeros if None.
+        ``reference`` gives the values of joints that are free at this pose and of locked inputs; zeros if None.
         """
         checked = self._checked(pose)
         if checked is None:
             return None
         rows, tau = checked
-        env: Environment = {**self.given, "tau": tau}
+        values = reference if reference is not None else [0] * len(self.joints)
+        wanted = {name: self.ctx.mpf(value) for name, value in zip(self.joints, values, strict=True)}
+        env = self._held.names({**self.given, **{name: wanted[name] for name in self.schedule.inputs}, "tau": tau})
         for row, axis in zip(rows, "xyz", strict=True):
             env.update({f"{column}_{axis}": value for column, value in zip("uvwp", row, strict=True)})
         size = env["size"] = self._size(env)
-        values = reference if reference is not None else [0] * len(self.joints)
-        wanted = {name: self.ctx.mpf(value) for name, value in zip(self.joints, values, strict=True)}
         found: list[list[Value]] = []
         self._run(0, env, wanted, found)
         return [q for q in found if not self.schedule.gate or self._reaches(q, rows, tau, size)]

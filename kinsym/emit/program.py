@@ -37,7 +37,7 @@ def build_schedule(derivation: Derivation) -> Schedule:
         forward=forward_line(chain),
         jacobian=jacobian_line(chain, derivation.jacobian),
         inverse=levels.statements(),
-        solution=tuple(value.variable for value in plan.values),
+        solution=robot.variables,
         depth=levels.depth,
         maximum=plan.maximum,
         task=plan.task,
@@ -45,6 +45,8 @@ def build_schedule(derivation: Derivation) -> Schedule:
         size=plan.size,
         tau=plan.tau,
         singular=singular_poses(derivation),
+        inputs=tuple(name for name, value in robot.locks.items() if value is None),
+        held=derivation.held,
     )
 
 

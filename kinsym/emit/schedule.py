@@ -75,6 +75,8 @@ class Schedule:
     """All that a generated module computes.
 
     constants   derived constants (sqrt(2)*a, cos of a twist), from parameters alone, in order.
+    inputs      the locked joints whose values the caller of the inverse kinematics gives.
+    held        what the inverse kinematics knows of locked joints (c3, s3, theta5 = pi/4), after the constants.
     forward     12 outputs: rows x, y, z of T, each u, v, w, p.
     jacobian    6 n outputs, row-major: velocity rows first, then angular velocity rows.
     inverse     the statements of the inverse kinematics; the names u_x..p_z are the entries of the pose.
@@ -101,9 +103,17 @@ class Schedule:
     size: Tree
     tau: Fraction
     singular: SingularPoses | None = None
+    inputs: tuple[str, ...] = ()
+    held: tuple[Definition, ...] = ()
 
     @property
     def widths(self) -> tuple[int, ...]:
         """The number of branches of each step that branches; step k opens level k."""
         steps = (statement.step for statement in self.inverse if isinstance(statement, Solve))
         return tuple(step.branches for step in steps if step.branches > 1)
+
+    @property
+    def locked(self) -> tuple[str, ...]:
+        """The joints that the inverse kinematics does not solve for, in order."""
+        held = {*self.inputs, *(item.name for item in self.held)}
+        return tuple(joint.name for joint in self.joints if joint.name in held)

@@ -27,7 +27,7 @@ class SingularPoses:
 def singular_poses(derivation: Derivation) -> SingularPoses:
     """The singular poses of a derivation."""
     used = {name for tree in singular_trees(derivation) for name in symbols(tree)}
-    angles = [definition for definition in angle_functions(derivation.chain) if definition.name in used]
+    angles = [definition for definition in angle_functions(derivation.solved) if definition.name in used]
     return SingularPoses(set=derivation.singular, families=derivation.families, angles=tuple(angles))
 
 

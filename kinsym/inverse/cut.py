@@ -41,7 +41,7 @@ class Cut:
         groups = state.chain.groups[state.first : state.end]
 
         def numbers(part: slice) -> list[int]:
-            return [position + 1 for group in groups[part] for position in group.joints]
+            return [number for group in groups[part] for number in state.links(group)]
 
         left = [f"{link}{i}^-1" for i in reversed(numbers(slice(0, self.first)))]
         right = [f"{link}{i}^-1" for i in reversed(numbers(slice(self.stop, None)))]

@@ -95,6 +95,7 @@ class JointValue:
 class Plan:
     """The inverse kinematics of one robot for one task.
 
+    ``values`` has no entry for a locked joint.
     ``maximum`` is the product of the branches. ``gate`` tells that a pose may ask for more than the joints can choose,
     so that a solution counts only if its forward kinematics reaches it. ``size`` is the arm's length, the unit of
     tolerances, and ``tau`` the accuracy to which a pose is taken as given.

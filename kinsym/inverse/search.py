@@ -25,7 +25,7 @@ WIDTH = 3
 
 @dataclass
 class _Search:
-    budget: int = BUDGET
+    budget: int
     deepest: State | None = field(default=None)
 
     def run(self, state: State, names: Names, items: tuple[Item, ...]) -> tuple[Item, ...] | None:
@@ -70,13 +70,13 @@ def ranked(state: State) -> list[Candidate]:
     return list(best.values())
 
 
-def derive_plan(chain: Chain, task: Task) -> Plan:
-    """The inverse kinematics of a chain for a task.
+def derive_plan(chain: Chain, task: Task, *, budget: int = BUDGET) -> Plan:
+    """The inverse kinematics of a chain for a task; ``budget`` is the number of states to try.
 
     Raises :class:`NoClosedForm` with the joints that are left and the geometry that blocks them.
     """
     state, window = start(chain, task)
-    search = _Search()
+    search = _Search(budget)
     items = search.run(state, Names(set(chain.ring.index)), (window,) if window else ())
     if items is None:
         raise NoClosedForm(verdict(search.deepest or state))

@@ -19,7 +19,7 @@ from kinsym.inverse.plan import Window
 from kinsym.kinematics.chain import Chain, Group
 from kinsym.kinematics.links import Rigid
 from kinsym.kinematics.moves import Moves
-from kinsym.robot.model import Task
+from kinsym.robot.model import Robot, Task
 
 POINTS = 3
 """Random points modulo the prime at which a polynomial must vanish to be called zero."""
@@ -44,6 +44,14 @@ FIXED = {
     Task.POSITION_AXIS: 5,
 }
 """How many joints a task fixes."""
+
+
+def span(robot: Robot, task: Task) -> tuple[int, int]:
+    """The joints between which the pose to solve reaches, (0, 6) for six: locked ones at the ends are constants.
+
+    Without an orientation nothing can be taken off the end of a pose.
+    """
+    return robot.unlocked[0] - 1, robot.unlocked[-1] if "uvw" in COLUMNS[task] else len(robot.variables)
 
 
 @dataclass(frozen=True)
@@ -88,12 +96,19 @@ class State:
     @property
     def left(self) -> int:
         """The number of joints before the remaining arm."""
-        return self.chain.groups[self.first].joints[0]
+        return self.chain.numbers[self.chain.groups[self.first].joints[0]] - 1
 
     @property
     def right(self) -> int:
         """The number of the last joint of the remaining arm."""
-        return self.chain.groups[self.end - 1].joints[-1] + 1
+        if self.end == len(self.chain.groups):
+            return span(self.chain.robot, self.task)[1]
+        return self.chain.numbers[self.chain.groups[self.end - 1].joints[-1]]
+
+    def links(self, group: Group) -> range:
+        """The numbers of the links of a group; a locked joint is a link of the group that it follows."""
+        last = self.right if group.index == self.end - 1 else self.chain.numbers[group.joints[-1] + 1] - 1
+        return range(self.chain.numbers[group.joints[0]], last + 1)
 
     @cached_property
     def pose(self) -> dict[str, Vector]:

@@ -65,6 +65,9 @@ def blocking(state: State) -> list[Miss]:
         if any(row.kind == "P" for row in rows[i : i + 3]):
             continue
         lengths = ((i, i + 1, rows[i].a), (i + 1, i + 2, rows[i + 1].a), (i, i + 2, rows[i + 1].d))
-        triples.append([Miss(first + 1, second + 1, length) for first, second, length in lengths if length != 0])
+        number = state.chain.numbers
+        triples.append(
+            [Miss(number[first], number[second], length) for first, second, length in lengths if length != 0]
+        )
     triples = [triple for triple in triples if triple]
     return min(reversed(triples), key=len, default=[])

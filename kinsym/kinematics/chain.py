@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from kinsym.algebra.field import PRIME, circle_point, turn
 from kinsym.algebra.ring import (
@@ -22,8 +23,11 @@ from kinsym.algebra.ring import (
 )
 from kinsym.kinematics.angles import Angle, angle_generators, interval, shorthand
 from kinsym.kinematics.constants import Constants
-from kinsym.kinematics.links import Motion, Rigid, motions, note_cells
+from kinsym.kinematics.links import Motion, Rigid, motions, note_cells, note_locks, with_locks
 from kinsym.robot.model import Robot
+
+if TYPE_CHECKING:
+    from sympy import Expr
 
 TurnOf = Callable[[int, int, int], tuple[Poly, Poly]]
 """(group, from node, to node) -> cosine and sine of the angle between two nodes."""
@@ -63,6 +67,8 @@ class Chain:
     """A robot as exact algebra.
 
     ``T = base * G_1 * G_2 ... G_m`` where each group ends with its trail; ``angles`` holds every interval of nodes.
+    ``numbers`` are the joints' places in the table, counted from 1: locked joints, which a chain to solve lacks, keep
+    theirs.
     """
 
     robot: Robot
@@ -72,6 +78,7 @@ class Chain:
     joints: tuple[Motion, ...]
     groups: tuple[Group, ...]
     angles: dict[tuple[int, int, int], Angle]
+    numbers: tuple[int, ...]
 
     def turn(self, group: int, start: int, end: int) -> tuple[Poly, Poly]:
         """Cosine and sine of the angle from one node to another, as generators."""
@@ -112,17 +119,32 @@ class Chain:
 
 
 def build_chain(robot: Robot) -> Chain:
-    """The chain of a robot."""
-    constants = Constants(list(robot.parameters))
+    """The chain of a robot with all its joints, locked or not."""
+    return _chain(robot, {})
+
+
+def chain_to_solve(robot: Robot) -> Chain:
+    """The chain of the joints that the inverse kinematics solves for; a locked joint is part of a constant."""
+    return _chain(robot, robot.locks)
+
+
+def _chain(robot: Robot, locks: Mapping[str, Expr | None]) -> Chain:
+    robot = replace(robot, locks=dict(locks))
+    slides = {joint.variable for joint in robot.moving if joint.kind == "P"}
+    lengths = [name for name, value in locks.items() if value is None and name in slides]
+    constants = Constants([*robot.parameters, *lengths])
     note_cells(constants, robot)
+    note_locks(constants, robot)
     plain = Ring(constants.generators())
-    head, body = motions(plain, constants, robot)
-    ends = {"base": head if robot.base else None, "end": body[-1].after if robot.tool else None}
+    head, body = with_locks(plain, constants, robot, *motions(plain, constants, robot))
+    # With a locked joint among them the entries would stand for something else than in the forward kinematics.
+    framed = (robot.base and robot.unlocked[0] == 1, robot.tool and robot.unlocked[-1] == len(robot.variables))
+    ends = {"base": head if framed[0] else None, "end": body[-1].after if framed[1] else None}
     for place, transform in ends.items():
         for name, entry in transform.entries(place) if transform else ():
             constants.note_entry(plain, entry, name)
     runs = _runs(plain, body)
-    digits = shorthand(tuple(joint.variable for joint in body))
+    digits = shorthand(robot.variables)
 
     angles: dict[tuple[int, int, int], Angle] = {}
     for index, (_, nodes) in enumerate(runs):
@@ -134,13 +156,13 @@ def build_chain(robot: Robot) -> Chain:
     generators += [Generator(name, Kind.POSE) for name in POSE_ENTRIES]
     ring = Ring(generators + constants.generators())
 
-    base, joints = motions(ring, constants, robot)
+    base, joints = with_locks(ring, constants, robot, *motions(ring, constants, robot))
     base = base.named(ring, "base")
     joints = (*joints[:-1], replace(joints[-1], after=joints[-1].after.named(ring, "end")))
     groups = tuple(
         _group(ring, index, joints, positions, tuple(nodes)) for index, (positions, nodes) in enumerate(runs)
     )
-    return Chain(robot, ring, constants, base, joints, groups, angles)
+    return Chain(robot, ring, constants, base, joints, groups, angles, robot.unlocked)
 
 
 Run = tuple[tuple[int, ...], list[tuple[str, int]]]

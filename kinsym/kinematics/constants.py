@@ -46,6 +46,11 @@ class Constants:
                 chosen += "_"
             self.angles[generic] = chosen
 
+    def note_held(self, cell: Expr, label: str) -> None:
+        """Register the cosine and sine of a locked joint under the label of its angle: c3, s3, signs and all."""
+        if split_angle(cell)[0] != 0:
+            self.angles.setdefault(cell, label)
+
     def note_entry(self, ring: Ring, poly: Poly, name: str) -> None:
         """Give an entry of the base or of the tool a name of its own if it is more than a number or a parameter."""
         if len(poly) > 1 or (poly and not poly.is_ground and ring.used(poly)[0] not in self.parameters):
@@ -96,6 +101,12 @@ class Constants:
         for _ in range(quarters):
             c, s = -s, c
         return c, s
+
+    def held(self, ring: Ring, cell: Expr) -> tuple[Poly, Poly]:
+        """The cosine and sine of a locked joint."""
+        if split_angle(cell)[0] == 0:
+            return self.angle(ring, cell)
+        return ring["c" + self.angles[cell]], ring["s" + self.angles[cell]]
 
     def formulas(self) -> list[tuple[str, Expr]]:
         """Each constant with its expression over the parameters, in an order that can be computed."""

@@ -40,23 +40,29 @@ class Forward:
 def forward_kinematics(chain: Chain) -> Forward:
     """Multiply the chain out, group by group from the tip to the base."""
     ring = chain.ring
-    zero, one = ring.zero, ring.one
-    units: list[Vector] = [(one, zero, zero), (zero, one, zero), (zero, zero, one)]
-    columns = [pose_direction(chain, chain.groups, unit) for unit in units]
-    columns.append(pose_point(chain, chain.groups, (zero, zero, zero)))
+    columns = pose_columns(chain)
     shown = _of_table(chain) if chain.robot.base or chain.robot.tool else columns
     rows = tuple(tuple(nested(ring, column[i]) for column in shown) for i in range(3))
     return Forward(
         links=tuple(_links(chain)),
-        columns=(columns[0], columns[1], columns[2], columns[3]),
+        columns=columns,
         pose=(*rows, (ZERO, ZERO, ZERO, ONE)),
     )
 
 
-def _of_table(chain: Chain) -> list[Vector]:
+def pose_columns(chain: Chain) -> tuple[Vector, Vector, Vector, Vector]:
+    """The columns u, v, w, p of the pose."""
+    zero, one = chain.ring.zero, chain.ring.one
+    u = pose_direction(chain, chain.groups, (one, zero, zero))
+    v = pose_direction(chain, chain.groups, (zero, one, zero))
+    w = pose_direction(chain, chain.groups, (zero, zero, one))
+    return u, v, w, pose_point(chain, chain.groups, (zero, zero, zero))
+
+
+def _of_table(chain: Chain) -> tuple[Vector, Vector, Vector, Vector]:
     """The product of the table's links, without base and tool."""
     bare = build_chain(replace(chain.robot, base=None, tool=None))
-    found = forward_kinematics(bare)
+    found = pose_columns(bare)
     ring = chain.ring
     names = [generator.name for generator in bare.ring.generators]
 
@@ -70,7 +76,8 @@ def _of_table(chain: Chain) -> list[Vector]:
             total += term
         return total
 
-    return [(moved(x), moved(y), moved(z)) for x, y, z in found.columns]
+    u, v, w, p = ((moved(x), moved(y), moved(z)) for x, y, z in found)
+    return u, v, w, p
 
 
 def pose_direction(chain: Chain, groups: tuple[Group, ...], vector: Vector) -> Vector:

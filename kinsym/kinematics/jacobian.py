@@ -36,7 +36,6 @@ Column = tuple[Tree, Tree, Tree]
 def geometric_jacobian(chain: Chain, forward: Forward) -> Jacobian:
     """The Jacobian of a chain."""
     ring = chain.ring
-    zero = ring.zero
     definitions: list[Definition] = []
     names: dict[Poly, Tree] = {}
 
@@ -53,29 +52,36 @@ def geometric_jacobian(chain: Chain, forward: Forward) -> Jacobian:
         return x, y, z
 
     end = named(forward.columns[3], "oE")
-    axes: list[Vector] = []
-    points: list[Vector] = []
+    axes, points = joint_axes(chain)
     columns: list[tuple[Tree, ...]] = []
-    for number, joint in enumerate(chain.joints, start=1):
-        before = chain.groups_before(number - 1)
-        axis = pose_direction(chain, before, (zero, zero, ring.one * joint.sign))
-        axes.append(axis)
-        points.append(pose_point(chain, before, (zero, zero, zero)))
+    for number, (joint, axis, point) in enumerate(zip(chain.joints, axes, points, strict=True), start=1):
         z = named(axis, f"z{number}")
         if joint.kind == "R":
-            lever = named(points[-1], f"o{number}")
+            lever = named(point, f"o{number}")
             columns.append((*_cross(z, (sub(end[0], lever[0]), sub(end[1], lever[1]), sub(end[2], lever[2]))), *z))
         else:
             columns.append((*z, ZERO, ZERO, ZERO))
     rows = tuple(zip(*columns, strict=True))
     return Jacobian(
-        axes=tuple(axes),
-        points=tuple(points),
+        axes=axes,
+        points=points,
         end=forward.columns[3],
         approach=forward.columns[2],
         definitions=tuple(definitions),
         entries=rows,
     )
+
+
+def joint_axes(chain: Chain) -> tuple[tuple[Vector, ...], tuple[Vector, ...]]:
+    """The directions z_i of the joint axes and a point o_i of each, in the base frame."""
+    ring = chain.ring
+    zero = ring.zero
+    axes, points = [], []
+    for position, joint in enumerate(chain.joints):
+        before = chain.groups_before(position)
+        axes.append(pose_direction(chain, before, (zero, zero, ring.one * joint.sign)))
+        points.append(pose_point(chain, before, (zero, zero, zero)))
+    return tuple(axes), tuple(points)
 
 
 def _plain(tree: Tree) -> bool:

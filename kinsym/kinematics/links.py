@@ -1,17 +1,18 @@
 """From the user's table to motions and constants.
 
 Every table becomes ``B M1(q1) C1 M2(q2) C2 ... Mn(qn) Cn`` where Mi turns about or slides along the local z axis and
-Ci is constant (lecture, sections 3.2.2 Craig, 3.2.3 Paul, 3.3 successive screws).
+Ci is constant (lecture, sections 3.2.2 Craig, 3.2.3 Paul, 3.3 successive screws). A locked joint is a constant as well.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sympy import Expr, Integer, Symbol
 
 from kinsym.algebra.ring import Poly, Ring, Rotation, Vector, apply, identity, matmul, minus, plus, transpose
 from kinsym.errors import RobotError
+from kinsym.kinematics.angles import shorthand
 from kinsym.kinematics.constants import Constants
 from kinsym.robot.model import Convention, Joint, Robot
 
@@ -92,6 +93,48 @@ def note_cells(constants: Constants, robot: Robot) -> None:
         for line in (matrix or ())[:3]:
             for cell in line:
                 constants.note_length(cell)
+
+
+def note_locks(constants: Constants, robot: Robot) -> None:
+    """Register where the locked joints are held; the cosine and sine of theta3 are c3 and s3."""
+    digits = shorthand(robot.variables)
+    for joint in robot.moving:
+        if joint.variable in robot.locks:
+            cell = held_at(robot, joint.variable)
+            if joint.kind == "R":
+                constants.note_held(cell, digits[joint.variable])
+            else:
+                constants.note_length(cell)
+
+
+def held_at(robot: Robot, variable: str) -> Expr:
+    """The value of a locked joint: its cell, or the joint variable itself where it is an input."""
+    value = robot.locks[variable]
+    return Symbol(variable, real=True) if value is None else value
+
+
+def with_locks(
+    ring: Ring, constants: Constants, robot: Robot, base: Rigid, joints: tuple[Motion, ...]
+) -> tuple[Rigid, tuple[Motion, ...]]:
+    """The base and the joints that are left when the motions of the locked ones are constants."""
+    left: list[Motion] = []
+    for joint in joints:
+        if joint.variable not in robot.locks:
+            left.append(joint)
+            continue
+        constant = _held(ring, constants, held_at(robot, joint.variable), joint).then(ring, joint.after)
+        if left:
+            left[-1] = replace(left[-1], after=left[-1].after.then(ring, constant))
+        else:
+            base = base.then(ring, constant)
+    return base, tuple(left)
+
+
+def _held(ring: Ring, constants: Constants, value: Expr, joint: Motion) -> Rigid:
+    if joint.kind == "R":
+        c, s = constants.held(ring, value)
+        return Rigid(turn_z(ring, c, s * joint.sign), (ring.zero,) * 3)
+    return Rigid(identity(ring), (ring.zero, ring.zero, constants.length(ring, value) * joint.sign))
 
 
 def offset(cell: Expr, joint: Joint) -> tuple[int, Expr]:

@@ -50,7 +50,11 @@ def bind(robot: Robot, values: Mapping[str, Fraction]) -> Robot:
     """
     for name in values:
         if name in robot.variables:
-            raise RobotError(f"{name} is a joint variable", where=f"bind {name}", remedy="Bind parameters only.")
+            raise RobotError(
+                f"{name} is a joint variable",
+                where=f"bind {name}",
+                remedy="Bind parameters only; a joint is held at a value by a lock (--lock).",
+            )
         if name not in robot.parameters:
             has = ", ".join(robot.parameters) or "none"
             raise RobotError(

@@ -22,13 +22,14 @@ from kinsym.robot.binding import bind, fold_zeros, used_parameters
 from kinsym.robot.catalogue import gallery, gallery_path
 from kinsym.robot.dh_text import rows_from_csv, rows_from_inline
 from kinsym.robot.expressions import is_zero, number, parse
+from kinsym.robot.locking import INPUT, lock
 from kinsym.robot.model import Convention, Home, Matrix, Robot, Task, Vector
 from kinsym.robot.names import check_robot_name, nearest, shown
 from kinsym.robot.reading import read_text
 from kinsym.robot.rigid import check_rotation, from_rpy, transform
 from kinsym.robot.rows import check_keys, read_rows, read_vector
 
-KEYS = ("name", "title", "convention", "task", "joints", "home", "parameters", "base", "tool", "source")
+KEYS = ("name", "title", "convention", "task", "joints", "home", "parameters", "base", "tool", "locks", "source")
 HOME_KEYS = ("u0", "v0", "w0", "q0", "p0")
 TRANSFORM_KEYS = ("xyz", "rpy", "matrix")
 LONGEST_LINE = 500
@@ -129,7 +130,7 @@ def from_draft(draft: Mapping[str, object], *, where: str, bindings: Mapping[str
                 remedy=f"{nearest(given, used)}The parameters of the table: {', '.join(used) or 'none'}.",
             )
     robot = replace(robot, parameters={parameter: values.get(parameter) for parameter in used})
-    return exact_angles(fold_zeros(bind(robot, bindings)))
+    return _locked(exact_angles(fold_zeros(bind(robot, bindings))), draft, where)
 
 
 _EXAMPLES = {
@@ -299,3 +300,9 @@ def _matrix(rows: object, where: str) -> Matrix:
 def _parameter_values(draft: Mapping[str, object], where: str) -> dict[str, Fraction]:
     table = _table(draft, "parameters", where)
     return {name: number(value, where=f"{where}, [parameters] {shown(name)[1:-1]}") for name, value in table.items()}
+
+
+def _locked(robot: Robot, draft: Mapping[str, object], where: str) -> Robot:
+    table = _table(draft, "locks", where)
+    values = {name: None if value == INPUT else value for name, value in table.items()}
+    return lock(robot, values, where=f"{where}, [locks]") if values else robot

@@ -74,6 +74,8 @@ class Robot:
 
     ``parameters`` lists every free name of the table in order of first use, with its value or None.
     ``base`` and ``tool`` are 4x4 matrices or None. ``task`` is None when the user leaves the choice to kinsym.
+    ``locks`` holds the joints that the inverse kinematics does not solve for, in their order: each with the value that
+    it is held at (radians or length), or None where the caller of the solver gives it.
     """
 
     name: str
@@ -85,6 +87,7 @@ class Robot:
     home: Home | None = None
     base: Matrix | None = None
     tool: Matrix | None = None
+    locks: dict[str, Expr | None] = field(default_factory=dict)
     source: str = ""
     notes: tuple[str, ...] = ()
 
@@ -97,3 +100,8 @@ class Robot:
     def variables(self) -> tuple[str, ...]:
         """The joint variables in order, for example ``("theta1", "theta2", "d3")``."""
         return tuple(joint.variable for joint in self.joints if joint.variable is not None)
+
+    @property
+    def unlocked(self) -> tuple[int, ...]:
+        """The numbers, counted from 1 among the moving joints, of those that the inverse kinematics solves for."""
+        return tuple(i for i, variable in enumerate(self.variables, start=1) if variable not in self.locks)

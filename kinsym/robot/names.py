@@ -39,9 +39,9 @@ _FUNCTIONS = frozenset(
 # Names of the generated functions, of what they call, and of what is local where the user's names are in scope.
 _GENERATED = frozenset(
     """T q p R J G M N S I i j k m n np numpy math tau size delta defect reference zeros parameters valid real out pose
-    count fk ik ik_batch ik_near jacobian self all_finite angle_of sign_of read_pose reaches usable isfinite isnan
-    direction homogeneous homogeneous2 linear quadratic quartic quotient quotient_length triangle linux unix
-    NAME TITLE JOINTS JOINT_TYPES PARAMETERS MAX_SOLUTIONS TASK""".split()
+    count fk ik ik_batch ik_near ik_sweep jacobian self all_finite angle_of sign_of read_pose reaches usable isfinite
+    isnan direction homogeneous homogeneous2 linear quadratic quartic quotient quotient_length triangle linux unix
+    NAME TITLE JOINTS JOINT_TYPES PARAMETERS MAX_SOLUTIONS TASK LOCKED""".split()
 )
 _PATTERNS = (
     (re.compile(r"theta\d+"), "such names are joint angles and their sums (theta23 is theta2 + theta3)"),

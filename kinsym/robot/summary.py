@@ -9,13 +9,14 @@ import hashlib
 
 from sympy import Expr
 
+from kinsym.robot.locking import lock_text
 from kinsym.robot.model import Convention, Joint, Robot
 from kinsym.robot.rows import COLUMNS, SCREW_COLUMNS, cells_of
 from kinsym.robot.text import cell_text, value_text
 
 
 def table_lines(robot: Robot) -> tuple[str, ...]:
-    """The table in aligned columns, then home frame, base, tool and parameters, one line each.
+    """The table in aligned columns, then home frame, base, tool, locked joints and parameters, one line each.
 
     >>> from kinsym.robot import load
     >>> print(*table_lines(load("planar_rr")), sep="\\n")
@@ -35,6 +36,9 @@ def table_lines(robot: Robot) -> tuple[str, ...]:
     for key, matrix in (("base", robot.base), ("tool", robot.tool)):
         if matrix:
             lines.append(f"{key}: [" + ", ".join(_vector(row) for row in matrix[:3]) + "]")
+    if robot.locks:
+        held = (f"{name} = {cell_text(value)}" if value is not None else name for name, value in robot.locks.items())
+        lines.append("locked: " + ", ".join(held))
     if robot.parameters:
         named = (name if value is None else f"{name} = {value_text(value)}" for name, value in robot.parameters.items())
         lines.append("parameters: " + ", ".join(named))
@@ -74,6 +78,8 @@ def to_toml(robot: Robot) -> str:
     values = {name: value for name, value in robot.parameters.items() if value is not None}
     if values:
         lines += ["[parameters]", *(f"{name} = {_quoted(value_text(value))}" for name, value in values.items())]
+    if robot.locks:
+        lines += ["[locks]", *(f"{name} = {_quoted(lock_text(value))}" for name, value in robot.locks.items())]
     return "\n".join(lines) + "\n"
 
 

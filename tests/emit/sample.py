@@ -147,6 +147,8 @@ def _derivation(
         constants=(),
         singular=SingularSet(task=plan.task, square=True, constant=ONE, conditions=(), exhaustive=True, split=True),
         families=(),
+        held=(),
+        angles=tuple(angles.values()),
     )
 
 

@@ -71,7 +71,7 @@ def test_known_families(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_every_step_that_can_be_degenerate_has_its_family(name: str) -> None:
     arm = derivation(name)
-    constant = {n for n, _ in arm.chain.constants.formulas()} | set(arm.robot.parameters)
+    constant = {n for n, _ in arm.solved.constants.formulas()} | set(arm.robot.parameters)
     free = {family.free for family in arm.families}
     for step in arm.plan.steps:
         if step.degenerate is not None and step.rule in ("homogeneous", "homogeneous2", "direction"):

@@ -49,7 +49,7 @@ def test_the_task_that_fits_is_found_without_being_named(name: str) -> None:
 def test_every_quantity_is_defined_before_it_is_used(name: str) -> None:
     found = derivation(name)
     defined = set(found.robot.parameters) | {f"{c}_{r}" for c in "uvwp" for r in "xyz"} | {"tau", "size"}
-    defined |= {definition.name for definition in found.constants}
+    defined |= {definition.name for definition in (*found.constants, *found.held)} | set(found.robot.locks)
     for item in found.plan.items:
         if isinstance(item, Step):
             for definition in item.coefficients:

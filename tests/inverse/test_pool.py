@@ -18,8 +18,8 @@ from tests.arms import NAMES, derivation
 def moments(name: str) -> list[State]:
     """The states that the search goes through."""
     found = derivation(name)
-    state, _ = start(found.chain, found.plan.task)
-    names = Names(set(found.chain.ring.index))
+    state, _ = start(found.solved, found.plan.task)
+    names = Names(set(found.solved.ring.index))
     states = [state]
     while state.known.unknowns():
         state = replace(state, known=ranked(state)[0].build(names).known)

@@ -5,6 +5,8 @@ The poses come from the generated forward kinematics, which other tests hold aga
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -29,6 +31,18 @@ def close(found: np.ndarray, wanted: np.ndarray, revolute: np.ndarray) -> np.nda
     return np.abs(np.where(revolute, turned, difference)).max(axis=-1)
 
 
+def locked(module: Any, q: np.ndarray) -> dict[str, np.ndarray]:
+    """The locked joints put where they are held, in ``q``; the values of those that are inputs, by name."""
+    given = {}
+    for name, value in getattr(module, "LOCKED", {}).items():
+        column = module.JOINTS.index(name)
+        if value is None:
+            given[name] = q[:, column]
+        else:
+            q[:, column] = value
+    return given
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_solutions_reach_their_poses_and_none_is_lost(name: str) -> None:
     module = numpy_module(name)
@@ -38,8 +52,9 @@ def test_solutions_reach_their_poses_and_none_is_lost(name: str) -> None:
     }
     count = len(module.JOINTS)
     q = generator.uniform(-3.0, 3.0, (POSES, count))
+    given = locked(module, q)
     T = module.fk(q, **parameters)
-    found, valid = module.ik_batch(T, reference=q, **parameters)
+    found, valid = module.ik_batch(T, reference=q, **given, **parameters)
     columns = ["uvwp".index(column) for column in ENTRIES[derivation(name).plan.task]]
     reached = module.fk(np.where(valid[..., None], found, 0.0), **parameters)
     closure = np.abs(reached - T[:, None])[..., :3, columns].max(axis=(-1, -2))
@@ -60,8 +75,9 @@ def test_no_solution_comes_twice(name: str) -> None:
     }
     revolute = np.array([kind == "R" for kind in module.JOINT_TYPES])
     q = generator.uniform(-3.0, 3.0, (50, len(module.JOINTS)))
-    for pose in module.fk(q, **parameters):
-        solutions = module.ik(pose, **parameters)
+    given = locked(module, q)
+    for k, pose in enumerate(module.fk(q, **parameters)):
+        solutions = module.ik(pose, **{name: values[k] for name, values in given.items()}, **parameters)
         for i, first in enumerate(solutions):
             for second in solutions[i + 1 :]:
                 assert close(first, second, revolute) > 1e-7

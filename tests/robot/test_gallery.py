@@ -21,6 +21,7 @@ JOINTS = {
     "elbow_6r_screw": "RRRRRR",
     "elbow_rrr": "RRR",
     "fanuc_s900w": "RRRRRR",
+    "kuka_iiwa": "RRRRRRR",
     "planar_rr": "RR",
     "planar_rrr_craig": "RRR",
     "planar_rrr_paul": "RRR",
@@ -101,7 +102,10 @@ def test_binding_one_of_several() -> None:
 
 @pytest.mark.parametrize(
     ("name", "words"),
-    [("a22", "Did you mean a2? Its parameters: a2, a3, d3, d4."), ("theta1", "Bind parameters only.")],
+    [
+        ("a22", "Did you mean a2? Its parameters: a2, a3, d3, d4."),
+        ("theta1", "Bind parameters only; a joint is held at a value by a lock (--lock)."),
+    ],
 )
 def test_binding_what_is_no_parameter(name: str, words: str) -> None:
     with pytest.raises(RobotError) as caught:

@@ -20,6 +20,7 @@ from kinsym.emit.latex.singular import singular_section
 from kinsym.emit.prose.vocabulary import angle_sums, joint_angles
 from kinsym.emit.prose.wording import (
     CONVENTIONS,
+    INPUT,
     POSE,
     TASKS,
     axis_definitions,
@@ -27,12 +28,14 @@ from kinsym.emit.prose.wording import (
     branchings,
     decimal,
     found_by_sum,
+    given_joints,
     loops,
     marks_explained,
     sifting,
 )
 from kinsym.inverse.cut import link_letter
 from kinsym.inverse.plan import Plan
+from kinsym.inverse.state import span
 from kinsym.robot.model import Convention, Robot, Vector
 
 if TYPE_CHECKING:
@@ -106,6 +109,15 @@ class _Writer(Formulas):
                 for name, matrix in given
                 if matrix is not None
             ]
+        )
+
+    def given(self) -> tuple[str, ...]:
+        """A sentence for each locked joint."""
+        return tuple(
+            f"${self.names[name]}$ is given, {INPUT}."
+            if value is None
+            else f"${self.names[name]} = {self.formula(value)}$ is given."
+            for name, value in given_joints(self.derivation.robot)
         )
 
     def links(self) -> tuple[Display, ...]:
@@ -182,7 +194,8 @@ def document(derivation: Derivation) -> str:
     plan: Plan = derivation.plan
     table = writer.table()
     forks = branchings(plan)
-    count = len(robot.moving)
+    first, last = span(robot, plan.task)
+    held = [item for item in derivation.held if item.name not in robot.locks]
     context = {
         "name": robot.name,
         "title": escape(robot.title) or escape(robot.name),
@@ -200,7 +213,9 @@ def document(derivation: Derivation) -> str:
         "fixed": writer.fixed(),
         "turns": writer.turns(),
         "notation": writer.notation(),
-        "start": "" if (0, count) in loops(plan, count) else pose(0, count),
+        "start": "" if (first, last) in loops(plan, robot) else pose(first, last),
+        "given": writer.given(),
+        "held": writer.definitions(held),
         "letter": link_letter(robot),
         "links": writer.links(),
         "product": writer.product(),

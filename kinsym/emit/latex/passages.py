@@ -135,7 +135,7 @@ class Passages(Formulas):
     def __iter__(self) -> Iterator[Passage]:
         pending: list[Definition] = []
         before: Step | None = None
-        windows = loops(self.derivation.plan, len(self.derivation.robot.moving))
+        windows = loops(self.derivation.plan, self.derivation.robot)
         for item in shown_items(self.derivation.plan):
             if isinstance(item, Definition):
                 pending.append(item)

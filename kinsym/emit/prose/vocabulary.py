@@ -22,7 +22,7 @@ def all_names(derivation: Derivation) -> Iterator[str]:
     trees: list[Tree] = [entry for row in derivation.forward.pose for entry in row]
     trees += [entry for row in derivation.jacobian.entries for entry in row]
     trees += singular_trees(derivation)
-    definitions = [*derivation.constants, *derivation.jacobian.definitions]
+    definitions = [*derivation.constants, *derivation.held, *derivation.jacobian.definitions]
     for item in plan.items:
         match item:
             case Window():
@@ -44,7 +44,7 @@ def all_names(derivation: Derivation) -> Iterator[str]:
 
 def joint_angles(derivation: Derivation) -> tuple[Angle, ...]:
     """The angles of single joints whose shorthand a reader cannot guess: c1 is cos(q1), c2 is cos(elbow)."""
-    angles = tuple(angle for angle in derivation.chain.angles.values() if len(angle.terms) == 1)
+    angles = tuple(angle for angle in derivation.angles if len(angle.terms) == 1)
     return () if all(angle.name == f"theta{angle.label}" for angle in angles) else angles
 
 
@@ -53,6 +53,6 @@ def angle_sums(derivation: Derivation) -> tuple[tuple[Angle, Tree], ...]:
     used = set(all_names(derivation))
     return tuple(
         (angle, Sum(tuple(Sym(name) if sign > 0 else negated(Sym(name)) for name, sign in angle.terms)))
-        for angle in derivation.chain.angles.values()
+        for angle in derivation.angles
         if len(angle.terms) > 1 and used & {angle.name, angle.cosine, angle.sine}
     )

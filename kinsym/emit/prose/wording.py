@@ -12,10 +12,12 @@ from fractions import Fraction
 from itertools import product
 from typing import TYPE_CHECKING
 
+from kinsym.algebra.convert import tree_of
 from kinsym.algebra.tree import Call, Definition, Sym, Tree
 from kinsym.inverse.plan import Equation, Item, JointValue, Plan, Step, Window
 from kinsym.inverse.rules import TITLES
-from kinsym.robot.model import Convention, Task
+from kinsym.inverse.state import span
+from kinsym.robot.model import Convention, Robot, Task
 
 if TYPE_CHECKING:
     from kinsym.kinematics.forward import Forward
@@ -54,6 +56,16 @@ def sifting(plan: Plan) -> str:
     if plan.task in (Task.PLANAR, Task.SCARA):
         return f"The pose must lie in the plane of the arm: {_SIFTED}"
     return f"The pose holds more than the joints can choose: {_SIFTED}"
+
+
+#: What a derivation says of a locked joint whose value is not in the table.
+INPUT = "an input of the inverse kinematics"
+
+
+def given_joints(robot: Robot) -> Iterator[tuple[str, Tree | None]]:
+    """The locked joints, which a derivation takes for given beside the pose, each with its value, None for an input."""
+    for name, value in robot.locks.items():
+        yield name, None if value is None else tree_of(value)
 
 
 _PLACE = re.compile(r"row (\w), column (\w)( of the inverse)?")
@@ -251,10 +263,10 @@ class Loop:
         return not self.left and not self.right
 
 
-def loops(plan: Plan, count: int) -> dict[tuple[int, int], Loop]:
-    """The windows of a plan, each with what moved since the one before; ``count`` is the number of joints."""
+def loops(plan: Plan, robot: Robot) -> dict[tuple[int, int], Loop]:
+    """The windows of a plan, each with what moved since the one before."""
     found: dict[tuple[int, int], Loop] = {}
-    here = (0, count)
+    here = span(robot, plan.task)
     for item in plan.items:
         if isinstance(item, Window):
             left = tuple(range(item.left, here[0], -1))

@@ -49,6 +49,7 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "macro": schedule.name.upper(),
         "schedule": schedule,
         "complete": all(parameter.value is not None for parameter in schedule.parameters),
+        "fields": [*(parameter.name for parameter in schedule.parameters), *schedule.inputs],
         "heads": _heads(schedule),
         "usable": _usable(schedule),
         "banner": [c_comment(line) for line in banner(schedule)],
@@ -112,7 +113,7 @@ def comment(text: str, depth: int) -> str:
     return "\n".join([f"{indent}/* {first}", *(f"{indent} * {line}" for line in others)]) + " */"
 
 
-def _heads(schedule: Schedule) -> dict[str, str]:
+def _heads(schedule: Schedule) -> dict[str, Any]:
     """The functions as they are declared."""
     name, joints = schedule.name, f"{schedule.name.upper()}_JOINTS"
     vector, parameters, solutions = f"const double q[{joints}]", f"const {name}_params *p", f"double q[][{joints}]"
@@ -123,6 +124,11 @@ def _heads(schedule: Schedule) -> dict[str, str]:
         "ik": f"int {name}_ik(const double T[16], {parameters}, {solutions})",
         "ik_near": f"int {name}_ik_near(const double T[16], {parameters}, "
         f"const double reference[{joints}], {solutions})",
+        "sweep": {
+            joint: f"int {name}_ik_sweep_{joint}(const double T[16], {parameters}, const double reference[{joints}], "
+            f"const double values[], int steps, {solutions}, int counts[])"
+            for joint in schedule.inputs
+        },
         "reaches": f"static int reaches({vector}, {parameters}, const double M[12], double tau{size})",
     }
 
@@ -130,7 +136,8 @@ def _heads(schedule: Schedule) -> dict[str, str]:
 def _usable(schedule: Schedule) -> str:
     """The condition under which the parameters can be used."""
     complete = all(parameter.value is not None for parameter in schedule.parameters)
-    tests = [f"isfinite(p->{parameter.name})" for parameter in schedule.parameters]
+    names = [*(parameter.name for parameter in schedule.parameters), *schedule.inputs]
+    tests = [f"isfinite(p->{name})" for name in names]
     return " && ".join(tests if complete else ["p != NULL", *tests])
 
 

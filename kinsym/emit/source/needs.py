@@ -24,10 +24,11 @@ ENTRIES = {f"{u}_{x}": (row, column) for row, x in enumerate(_ROWS) for column, 
 
 @dataclass(frozen=True, kw_only=True)
 class Needs:
-    """What one function reads: names in the order in which the schedule gives them."""
+    """What one function reads: names in the order in which the schedule gives them; ``inputs`` are locked joints."""
 
     joints: tuple[tuple[int, str], ...]
     parameters: tuple[Parameter, ...]
+    inputs: tuple[str, ...]
     constants: tuple[Definition, ...]
     names: frozenset[str]
 
@@ -69,7 +70,7 @@ def line_needs(schedule: Schedule, line: StraightLine) -> LineNeeds:
     """The needs of forward kinematics or of the Jacobian."""
     names = _names(line.outputs)
     definitions = _live(line.definitions, names)
-    return LineNeeds(definitions=definitions, **_common(schedule, names))
+    return LineNeeds(definitions=definitions, inputs=(), **_common(schedule, schedule.constants, names))
 
 
 def inverse_needs(schedule: Schedule) -> InverseNeeds:
@@ -94,7 +95,8 @@ def inverse_needs(schedule: Schedule) -> InverseNeeds:
     return InverseNeeds(
         entries=tuple((name, *place) for name, place in ENTRIES.items() if name in names),
         statements=statements,
-        **_common(schedule, names),
+        inputs=tuple(name for name in schedule.inputs if name in names),
+        **_common(schedule, (*schedule.constants, *schedule.held), names),
     )
 
 
@@ -142,9 +144,9 @@ class _Common(TypedDict):
     names: frozenset[str]
 
 
-def _common(schedule: Schedule, names: set[str]) -> _Common:
+def _common(schedule: Schedule, constants: tuple[Definition, ...], names: set[str]) -> _Common:
     """The fields of Needs; ``names`` grows by what the constants read."""
-    constants = _live(schedule.constants, names)
+    constants = _live(constants, names)
     return {
         "joints": tuple((number, joint.name) for number, joint in enumerate(schedule.joints) if joint.name in names),
         "parameters": tuple(parameter for parameter in schedule.parameters if parameter.name in names),

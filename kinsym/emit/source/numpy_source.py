@@ -79,11 +79,13 @@ def _constants(schedule: Schedule) -> dict[str, Any]:
         f'"{parameter.name}": {"None" if parameter.value is None else decimal(parameter.value)}'
         for parameter in schedule.parameters
     ]
+    values_of = {item.name: NumpyPrinter()(item.value) for item in schedule.held}
     return {
         "complete": all(parameter.value is not None for parameter in schedule.parameters),
         "names": _tuple(joint.name for joint in schedule.joints),
         "kinds": _tuple(joint.kind for joint in schedule.joints),
         "values": "{" + ", ".join(values) + "}",
+        "locks": "{" + ", ".join(f'"{name}": {values_of.get(name, "None")}' for name in schedule.locked) + "}",
     }
 
 
@@ -96,14 +98,21 @@ def _signatures(schedule: Schedule, inverse: InverseNeeds) -> dict[str, Any]:
     ]
     solving = every if schedule.gate else [parameter.name for parameter in inverse.parameters]
     arguments = ["M", *(["defect"] if inverse.tau else []), *(["reference"] if inverse.reference else [])]
-    passed = [f"{name}={name}" for name in every]
+    passed, locked = ([f"{name}={name}" for name in names] for names in (every, schedule.inputs))
     return {
         "passed": passed,
+        "locked": locked,
+        "given": "".join(f", {name}=..." for name in schedule.inputs),
         "check": code("", f"_check_parameters({', '.join(passed)})"),
         "public": lambda name, first, *options: head(name, [first], [*options, *keywords]),
-        "blocks_call": ["T", "reference", f"({', '.join(solving)}{',' if len(solving) == 1 else ''})"],
-        "solve_head": head("_solve", arguments + solving),
-        "solve_call": [*(name if name != "reference" else "near[part].T" for name in arguments), "*parameters"],
+        "public_ik": lambda name, first: head(name, [first], [*schedule.inputs, "reference=None", *keywords]),
+        "blocks_call": ["T", "reference", f"({', '.join(solving)}{',' if len(solving) == 1 else ''})", *locked],
+        "solve_head": head("_solve", [*arguments, *schedule.inputs, *solving]),
+        "solve_call": [
+            *(name if name != "reference" else "near[part].T" for name in arguments),
+            *(["*(value[part] for value in given)"] if schedule.inputs else []),
+            "*parameters",
+        ],
     }
 
 

@@ -13,6 +13,7 @@ from kinsym.algebra.tree import Definition, Tree
 from kinsym.emit.prose.vocabulary import angle_sums, joint_angles
 from kinsym.emit.prose.wording import (
     CONVENTIONS,
+    INPUT,
     POSE,
     TASKS,
     Loop,
@@ -23,6 +24,7 @@ from kinsym.emit.prose.wording import (
     counted,
     decimal,
     found_by_sum,
+    given_joints,
     loops,
     marks_explained,
     one_line,
@@ -35,6 +37,7 @@ from kinsym.emit.text.page import Page
 from kinsym.emit.text.singular import singular_poses
 from kinsym.inverse.cut import link_letter
 from kinsym.inverse.plan import Plan, Step, Window
+from kinsym.inverse.state import span
 from kinsym.robot.model import Convention, Robot, Vector
 
 if TYPE_CHECKING:
@@ -74,7 +77,16 @@ def table(robot: Robot, page: Page | None = None) -> str:
         if fixed is not None:
             cells_of = [[page.formula(tree_of(cell)) for cell in row] for row in fixed]
             parts.append(f"  {name}:\n{page.columns(cells_of, indent=4)}")
+    parts += given(robot, page)
     return "\n".join(parts)
+
+
+def given(robot: Robot, page: Page) -> list[str]:
+    """A line for each locked joint."""
+    return [
+        page.prose(f"{name} is given, {INPUT}" if value is None else f"{name} = {page.formula(value)} is given")
+        for name, value in given_joints(robot)
+    ]
 
 
 def parameters(robot: Robot) -> str:
@@ -91,7 +103,7 @@ def parameters(robot: Robot) -> str:
 def notation(derivation: Derivation, page: Page | None = None) -> str:
     """What the shorthand of angles and constants stands for."""
     page = page or Page()
-    single = [angle for angle in derivation.chain.angles.values() if len(angle.terms) == 1]
+    single = [angle for angle in derivation.angles if len(angle.terms) == 1]
     lines = [f"  {a.cosine} = cos({a.name}), {a.sine} = sin({a.name}), and so on" for a in single[:1]]
     if angles := joint_angles(derivation):
         pairs = (f"{item.cosine} = cos({item.name}), {item.sine} = sin({item.name})" for item in angles)
@@ -182,15 +194,18 @@ def _step(step: Step, before: Step | None, page: Page) -> str:
     return "\n".join(lines)
 
 
-def derivation_steps(robot: Robot, plan: Plan, page: Page | None = None) -> str:
+def derivation_steps(derivation: Derivation, page: Page | None = None) -> str:
     """The numbered derivation: what moves to the left, what each step solves, by which rule, and when it fails."""
     page = page or Page()
-    count = len(robot.moving)
+    robot, plan = derivation.robot, derivation.plan
+    first, last = span(robot, plan.task)
     letter = link_letter(robot)
-    windows = loops(plan, count)
+    windows = loops(plan, robot)
     head = [page.prose(f"given: {TASKS[plan.task]}, as entries of T = [u v w p]")]
-    if (0, count) not in windows:
-        head.append(f"  T_0_{count} = T")
+    head += given(robot, page)
+    head += [page.equation(item.name, item.value) for item in derivation.held if item.name not in robot.locks]
+    if (first, last) not in windows:
+        head.append(f"  T_{first}_{last} = T")
     head.append(page.prose("T_i_j is the part of T that joints i+1 to j make"))
     if letter != "A":
         head.append(page.prose(f"{letter}i is the motion of joint i with the constant transform to the next joint"))
@@ -267,7 +282,7 @@ def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, f
     sections.append(f"{_heading('Forward kinematics')}\n{forward_kinematics(derivation, page)}")
     if full:
         sections.append(f"{_heading('Jacobian')}\n{jacobian(derivation.forward, derivation.jacobian, page)}")
-    sections.append(f"{_heading('Inverse kinematics')}\n{derivation_steps(robot, plan, page)}")
+    sections.append(f"{_heading('Inverse kinematics')}\n{derivation_steps(derivation, page)}")
     if found:
         sections.append(f"{_heading('Joint values')}\n{found}")
     sections.append(f"{_heading('Solutions')}\n{solutions(plan, page)}")
