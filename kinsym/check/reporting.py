@@ -9,6 +9,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from kinsym import __version__
+from kinsym.check.deviation import recorded
 from kinsym.check.report import Report
 from kinsym.emit.operations import inverse_operations, line_operations
 from kinsym.robot.summary import to_toml
@@ -41,6 +42,7 @@ def report_of(robot: Robot, schedule: Schedule, sources: Mapping[str, str], find
         figures=findings.figures if findings else {},
         files={name: hashlib.sha256(text.encode()).hexdigest() for name, text in sources.items()},
         measured=findings.measured if findings else {},
+        deviation=None if robot.deviation is None else recorded(robot.deviation),
     )
 
 

@@ -17,21 +17,24 @@ from pathlib import Path
 from sympy import Expr
 
 from kinsym.errors import RobotError
-from kinsym.robot.advice import exact_angle, exact_angles
+from kinsym.robot.advice import advised
 from kinsym.robot.binding import bind, fold_zeros, used_parameters
 from kinsym.robot.catalogue import gallery, gallery_path
 from kinsym.robot.dh_text import rows_from_csv, rows_from_inline
 from kinsym.robot.expressions import is_zero, number, parse
-from kinsym.robot.model import Convention, Home, Matrix, Robot, Task, Vector
+from kinsym.robot.model import Change, Convention, Home, Matrix, Robot, Task, Vector
 from kinsym.robot.names import check_robot_name, nearest, shown
 from kinsym.robot.reading import read_text
 from kinsym.robot.rigid import check_rotation, from_rpy, transform
 from kinsym.robot.rows import check_keys, read_rows, read_vector
+from kinsym.robot.snapping import EXACT, ROUNDING, Snapping
+from kinsym.robot.special import special
 
 KEYS = ("name", "title", "convention", "task", "joints", "home", "parameters", "base", "tool", "source")
 HOME_KEYS = ("u0", "v0", "w0", "q0", "p0")
 TRANSFORM_KEYS = ("xyz", "rpy", "matrix")
 LONGEST_LINE = 500
+URDF_SUFFIX = ".urdf"
 
 _NO_BINDINGS: Mapping[str, Fraction] = {}
 
@@ -42,17 +45,28 @@ def load(
     convention: str | None = None,
     name: str | None = None,
     bindings: Mapping[str, Fraction] = _NO_BINDINGS,
+    base_link: str | None = None,
+    tip_link: str | None = None,
+    snapping: Snapping = ROUNDING,
 ) -> Robot:
-    """The robot of a gallery name or of a file (.toml, .csv).
+    """The robot of a gallery name or of a file (.toml, .csv, .urdf).
 
     ``convention`` says how to read a CSV table and ``name`` replaces the robot's name. ``bindings`` are folded in
-    (:func:`kinsym.robot.bind`) before the file's own values count. Raises RobotError.
+    (:func:`kinsym.robot.bind`) before the file's own values count. ``base_link`` and ``tip_link`` pick the chain of
+    a URDF file (:func:`kinsym.robot.urdf.from_urdf`). ``snapping`` says which numbers are read as special values
+    (:mod:`kinsym.robot.snapping`). Raises RobotError.
 
     >>> load("stanford_paul").variables
     ('theta1', 'theta2', 'd3', 'theta4', 'theta5', 'theta6')
     """
     path = _find(source)
     source = source if source.isprintable() else ascii(source)
+    if path.suffix.lower() == URDF_SUFFIX:
+        return _from_urdf(path, source, convention, name, bindings, base_link, tip_link, snapping)
+    if base_link is not None or tip_link is not None:
+        raise RobotError(
+            "only a URDF file has links", where=source, remedy="Leave out --base-link and --tip-link, or name a .urdf."
+        )
     text = read_text(path, shown_as=source)
     if path.suffix.lower() == ".csv":
         default = name if name is not None else path.stem
@@ -70,7 +84,25 @@ def load(
             draft["convention"] = convention
         if name is not None:
             draft["name"] = name
-    return from_draft(draft, where=source, bindings=bindings)
+    return from_draft(draft, where=source, bindings=bindings, snapping=snapping)
+
+
+def _from_urdf(
+    path: Path,
+    source: str,
+    convention: str | None,
+    name: str | None,
+    bindings: Mapping[str, Fraction],
+    base_link: str | None,
+    tip_link: str | None,
+    snapping: Snapping,
+) -> Robot:
+    from kinsym.robot.urdf import from_urdf
+
+    if convention is not None:
+        raise RobotError("a URDF file has no convention", where=source, remedy="Leave out --convention.")
+    robot = from_urdf(path, base_link=base_link, tip_link=tip_link, name=name, snapping=snapping, shown_as=source)
+    return fold_zeros(bind(robot, bindings))
 
 
 def from_inline(
@@ -79,6 +111,7 @@ def from_inline(
     convention: str | None,
     name: str | None = None,
     bindings: Mapping[str, Fraction] = _NO_BINDINGS,
+    snapping: Snapping = ROUNDING,
 ) -> Robot:
     """The robot of a table in one line: rows ``alpha a d theta``, parted by semicolons.
 
@@ -93,10 +126,16 @@ def from_inline(
         "convention": _needed_convention(convention, "--dh"),
         "joints": rows_from_inline(text, where="--dh"),
     }
-    return from_draft(draft, where="--dh", bindings=bindings)
+    return from_draft(draft, where="--dh", bindings=bindings, snapping=snapping)
 
 
-def from_draft(draft: Mapping[str, object], *, where: str, bindings: Mapping[str, Fraction] = _NO_BINDINGS) -> Robot:
+def from_draft(
+    draft: Mapping[str, object],
+    *,
+    where: str,
+    bindings: Mapping[str, Fraction] = _NO_BINDINGS,
+    snapping: Snapping = ROUNDING,
+) -> Robot:
     """The robot of a mapping with the keys of a robot file; ``where`` names its source in messages."""
     check_keys(draft, KEYS, where=where)
     for key in ("name", "convention", "joints"):
@@ -105,7 +144,7 @@ def from_draft(draft: Mapping[str, object], *, where: str, bindings: Mapping[str
     name = check_robot_name(_line(draft, "name", where), where=f"{where}, name")
     convention = _convention(_line(draft, "convention", where), where)
     joints = read_rows(draft["joints"], convention, where=where)
-    notes: list[str] = []
+    changes: list[Change] = []
     robot = Robot(
         name=name,
         title=_line(draft, "title", where) or name,
@@ -113,10 +152,9 @@ def from_draft(draft: Mapping[str, object], *, where: str, bindings: Mapping[str
         joints=joints,
         task=_task(draft, where),
         home=_home(draft, convention, where),
-        base=_transform(draft, "base", where, notes),
-        tool=_transform(draft, "tool", where, notes),
+        base=_transform(draft, "base", where, snapping, changes),
+        tool=_transform(draft, "tool", where, snapping, changes),
         source=_line(draft, "source", where),
-        notes=tuple(notes),
     )
     values = _parameter_values(draft, where)
     used = used_parameters(robot, where=where)
@@ -129,7 +167,13 @@ def from_draft(draft: Mapping[str, object], *, where: str, bindings: Mapping[str
                 remedy=f"{nearest(given, used)}The parameters of the table: {', '.join(used) or 'none'}.",
             )
     robot = replace(robot, parameters={parameter: values.get(parameter) for parameter in used})
-    return exact_angles(fold_zeros(bind(robot, bindings)))
+    written = robot
+    if changes:
+        base, tool = (_transform(draft, key, where, EXACT, []) for key in ("base", "tool"))
+        written = replace(robot, base=base, tool=tool)
+    robot, written = (fold_zeros(bind(either, bindings)) for either in (robot, written))
+    robot = special(robot, snapping, written=written, earlier=tuple(changes))
+    return replace(robot, notes=(*robot.notes, *advised(robot)))
 
 
 _EXAMPLES = {
@@ -143,16 +187,20 @@ def _find(source: str) -> Path:
     if source in gallery():
         return gallery_path(source)
     path = Path(source)
-    if path.suffix.lower() in {".toml", ".csv"}:
+    if path.suffix.lower() in {".toml", ".csv", URDF_SUFFIX}:
         return path
+    if path.suffix.lower() == ".xacro":
+        raise RobotError(
+            "this is xacro, from which URDF is made", where=shown(source), remedy="Run: xacro FILE > robot.urdf."
+        )
     if re.search(r"[/\\.]", source):
         raise RobotError(
-            f"{shown(source)} is neither a robot of the gallery nor a .toml or .csv file",
-            remedy="Name a file that ends in .toml or .csv.",
+            f"{shown(source)} is neither a robot of the gallery nor a .toml, .csv or .urdf file",
+            remedy="Name a file that ends in .toml, .csv or .urdf.",
         )
     raise RobotError(
         f"the gallery has no robot {shown(source)}",
-        remedy=f"{nearest(source, gallery())}List the gallery with kinsym robots, or name a .toml or .csv file.",
+        remedy=f"{nearest(source, gallery())}List the gallery with kinsym robots, or name a .toml, .csv or .urdf file.",
     )
 
 
@@ -261,7 +309,9 @@ def _home(draft: Mapping[str, object], convention: Convention, where: str) -> Ho
     return home
 
 
-def _transform(draft: Mapping[str, object], key: str, where: str, notes: list[str]) -> Matrix | None:
+def _transform(
+    draft: Mapping[str, object], key: str, where: str, snapping: Snapping, changes: list[Change]
+) -> Matrix | None:
     if key not in draft:
         return None
     place = f"{where}, [{key}]"
@@ -274,8 +324,9 @@ def _transform(draft: Mapping[str, object], key: str, where: str, notes: list[st
     if not table:
         raise RobotError("the transform is empty", where=place, remedy="Give xyz and rpy, or matrix.")
     origin = read_vector(table.get("xyz", [0, 0, 0]), where=f"{place} xyz")
-    angles = [exact_angle(cell) for cell in read_vector(table.get("rpy", [0, 0, 0]), where=f"{place} rpy")]
-    notes += [f"[{key}] rpy: {note}." for _, note in angles if note]
+    cells = read_vector(table.get("rpy", [0, 0, 0]), where=f"{place} rpy")
+    angles = [snapping.angle(cell, where=f"[{key}] rpy") for cell in cells]
+    changes += [change for _, change in angles if change]
     (roll, _), (pitch, _), (yaw, _) = angles
     return transform(from_rpy(roll, pitch, yaw, where=f"{place} rpy"), origin)
 

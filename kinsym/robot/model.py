@@ -69,11 +69,47 @@ class Home:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Change:
+    """One number that is read as a special value: where it stands, both as text, and by how much they differ.
+
+    ``difference`` is in radians for an angle and in the table's unit for a length.
+    """
+
+    where: str
+    written: str
+    read_as: str
+    difference: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Deviation:
+    """How far the table is from the numbers it was read from.
+
+    ``position`` and ``rotation`` are the largest difference of the forward kinematics over sampled joint vectors, in
+    the table's unit of length and in radians. A conversion without changes still has one: cells are decimals.
+    """
+
+    changes: tuple[Change, ...]
+    position: float
+    rotation: float
+
+    def sentence(self) -> str:
+        """The deviation in words."""
+        count = len(self.changes)
+        numbers = f"{count} number{'s' * (count != 1)} read as special values" if count else "no number changed"
+        return (
+            f"{numbers}; the forward kinematics differs from the numbers as written by at most "
+            f"{self.position:.1e} in position and {self.rotation:.1e} rad."
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
 class Robot:
     """A serial robot.
 
     ``parameters`` lists every free name of the table in order of first use, with its value or None.
     ``base`` and ``tool`` are 4x4 matrices or None. ``task`` is None when the user leaves the choice to kinsym.
+    ``deviation`` says what was read otherwise than written, None if nothing was.
     """
 
     name: str
@@ -87,6 +123,7 @@ class Robot:
     tool: Matrix | None = None
     source: str = ""
     notes: tuple[str, ...] = ()
+    deviation: Deviation | None = None
 
     @property
     def moving(self) -> tuple[Joint, ...]:
