@@ -19,12 +19,13 @@ from sympy import Rational
 from kinsym.errors import RobotError
 from kinsym.robot.files import from_draft
 from kinsym.robot.geometry.arm import Arm, Axis, arm_of, difference, mpf
-from kinsym.robot.geometry.frames import CONTEXT, DIGITS, UNIT, Number, along, from_rpy, unit
+from kinsym.robot.geometry.frames import CONTEXT, DIGITS, UNIT, Number, Vector, along, from_rpy, norm, unit
 from kinsym.robot.geometry.table import Tolerance, table_of
 from kinsym.robot.model import Change, Deviation, Robot
 from kinsym.robot.names import check_robot_name, shown
 from kinsym.robot.snapping import EXACT, ROUNDING, Snapping
 from kinsym.robot.special import change_notes
+from kinsym.robot.text import value_text
 from kinsym.robot.urdf.document import Triple, UrdfJoint, read_urdf
 from kinsym.robot.urdf.path import joints_between
 
@@ -72,10 +73,10 @@ def _arm(joints: tuple[UrdfJoint, ...], snapping: Snapping, changes: list[Change
         here = here.then(from_rpy(_numbers(joint.xyz), rpy))  # type: ignore[arg-type]
         if joint.kind == "fixed":
             continue
-        axis = _numbers(joint.axis)
+        direction = _direction(joint, changes)
         kind = "P" if joint.kind == "prismatic" else "R"
         variable = f"{'d' if kind == 'P' else 'theta'}{len(axes) + 1}"
-        frame = here.then(along(unit(axis), UNIT.origin))
+        frame = here.then(along(direction, UNIT.origin))
         axes.append(Axis(name=variable, kind=kind, frame=frame, limits=joint.limits))
     return Arm(axes=tuple(axes), tip=here)
 
@@ -90,6 +91,17 @@ def _angle(value: Fraction, where: str, snapping: Snapping, changes: list[Change
     if change:
         changes.append(change)
     return CONTEXT.mpf(str(sympy.N(cell, DIGITS)))
+
+
+def _direction(joint: UrdfJoint, changes: list[Change]) -> Vector:
+    """The axis as a unit vector; readers differ on what a slide along a longer one means, so that a change is told."""
+    axis = _numbers(joint.axis)
+    excess = abs(norm(axis) - 1)
+    if excess:
+        written = " ".join(value_text(value) for value in joint.axis)
+        where = f"joint {_printable(joint.name)}, axis"
+        changes.append(Change(where=where, written=written, read_as="a unit vector", difference=float(excess)))
+    return unit(axis)
 
 
 def _names(joints: tuple[UrdfJoint, ...], robot: Robot) -> tuple[str, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from kinsym.errors import RobotError
 from kinsym.robot.names import nearest, shown
+from kinsym.robot.rows import MOST_JOINTS
 from kinsym.robot.urdf.document import Urdf, UrdfJoint
 
 MOST_SHOWN = 40
@@ -37,7 +38,14 @@ def joints_between(urdf: Urdf, base: str | None, tip: str | None, *, where: str)
     path.reverse()
     for joint in path:
         _check_kind(joint)
-    if not any(joint.kind in _MOVING for joint in path):
+    moving = [joint.name for joint in path if joint.kind in _MOVING]
+    if len(moving) > MOST_JOINTS:
+        raise RobotError(
+            f"{len(moving)} joints move between {shown(start)} and {shown(end)}",
+            where=where,
+            remedy=f"At most {MOST_JOINTS} can: choose --base-link and --tip-link. They are {_listed(moving)}.",
+        )
+    if not moving:
         raise RobotError(
             f"no joint moves between {shown(start)} and {shown(end)}",
             where=where,
