@@ -26,6 +26,7 @@ from kinsym.robot.geometry.frames import (
     Vector,
     add,
     along,
+    dot,
     cross,
     norm,
     slide,
@@ -57,10 +58,17 @@ class Arm:
 
     @property
     def size(self) -> Number:
-        """The sum of the distances from origin to origin, 1 if all of them are zero."""
-        origins = [UNIT.origin, *(axis.frame.origin for axis in self.axes), self.tip.origin]
-        total = sum((norm(add(b, a, -ONE)) for a, b in zip(origins, origins[1:], strict=False)), ZERO)
-        return total or ONE
+        """The length of a way from the base along the axes to the tip, 1 if it is zero.
+
+        The way goes from each axis to the nearest point of the next: the origin of a frame may lie anywhere on its
+        axis, and in tables of calibrated arms it lies hundreds of metres away.
+        """
+        here, total = UNIT.origin, ZERO
+        for axis in self.axes:
+            offset = add(axis.frame.origin, here, -ONE)
+            offset = add(offset, axis.frame.z, -dot(offset, axis.frame.z))
+            here, total = add(here, offset), total + norm(offset)
+        return total + norm(add(self.tip.origin, here, -ONE)) or ONE
 
     def pose(self, q: Sequence[Number]) -> Frame:
         """The tip at the joint values ``q`` (radians, the unit of length of the table)."""

@@ -28,18 +28,26 @@ NOTHING = CONTEXT.mpf("1e-30")
 """What 40 digits leave of an exact zero."""
 FINEST = CONTEXT.mpf("1e-17")
 """Cells are decimals to this share of the arm's size, below the rounding of a double."""
+ACROSS = CONTEXT.mpf("0.1")
+"""A common normal this near to a right angle with x counts as across it."""
 FEWEST_PLACES, MOST_PLACES = 3, 36
 
 
 @dataclass(frozen=True, kw_only=True)
 class Tolerance:
-    """What counts as special: ``links`` between joint axes (twists, common normals), ``rest`` everywhere else.
+    """What counts as special: ``twists`` and ``normals`` between joint axes, ``rest`` everywhere else.
 
-    Radians, or shares of the arm's size.
+    Twists are in radians, the lengths of common normals are shares of the arm's size, ``rest`` is the one or the other.
     """
 
-    links: Fraction
+    twists: Fraction
+    normals: Fraction
     rest: Fraction
+
+    @classmethod
+    def of(cls, value: Fraction) -> Tolerance:
+        """One value for all."""
+        return cls(twists=value, normals=value, rest=value)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -55,8 +63,7 @@ def table_of(arm: Arm, tolerance: Tolerance) -> Table:
 
     >>> from kinsym.robot import load
     >>> from kinsym.robot.geometry.arm import arm_of
-    >>> none = Tolerance(links=Fraction(0), rest=Fraction(0))
-    >>> [row["alpha"] for row in table_of(arm_of(load("ur5")), none).draft["joints"]]
+    >>> [row["alpha"] for row in table_of(arm_of(load("ur5")), Tolerance.of(Fraction(0))).draft["joints"]]
     ['pi/2', '0', '0', 'pi/2', '-pi/2', '0']
     """
     return _Writer(arm, tolerance).table()
@@ -77,7 +84,8 @@ class _Link:
 class _Writer:
     def __init__(self, arm: Arm, tolerance: Tolerance) -> None:
         self.arm, self.size = arm, arm.size
-        self.links = max(mpf(tolerance.links), NOTHING)
+        self.twists = max(mpf(tolerance.twists), NOTHING)
+        self.normals = max(mpf(tolerance.normals), NOTHING)
         self.rest = max(mpf(tolerance.rest), NOTHING)
         self.changes: list[Change] = []
         self.parameters: dict[str, str] = {}
@@ -86,20 +94,21 @@ class _Writer:
         base, here = self.base()
         links = []
         for axis in self.arm.axes[1:]:
-            links.append(link := self.link(here, axis.frame, self.links))
+            links.append(link := self.link(here, axis.frame, self.twists))
             here = here.then(link.foot)
         links.append(last := self.link(here, self.arm.tip, self.rest))
         psi, epsilon = self.remainder(here.then(last.foot), self.arm.tip)
         if last.parallel and abs(last.a) <= self.rest * self.size:
             turned = -psi if CONTEXT.cos(last.alpha) < 0 else psi
             links[-1], psi = _Link(last.phi + turned, last.d, ZERO, last.alpha, True, last.foot), ZERO
-        meets = [not link.parallel and abs(link.a) <= self.links * self.size for link in links[:-1]]
+        meets = [not link.parallel and abs(link.a) <= self.normals * self.size for link in links[:-1]]
         rows = []
         for i, (axis, link) in enumerate(zip(self.arm.axes, links, strict=True)):
             last_row = i == len(links) - 1
             # Only between two common normals of length zero does d = 0 make three axes meet in a point.
             point = not last_row and i > 0 and meets[i] and meets[i - 1]
-            rows.append(self.row(i + 1, axis, link, tilt=self.rest if last_row else self.links, point=point))
+            tolerances = (self.rest, self.rest) if last_row else (self.twists, self.normals)
+            rows.append(self.row(i + 1, axis, link, *tolerances, point=point))
         draft: dict[str, Any] = {"convention": "paul", "joints": rows}
         tool = self.transform("tool", (ZERO, ZERO, epsilon), (ZERO, ZERO, psi))
         draft |= {key: value for key, value in (("base", base), ("tool", tool)) if value}
@@ -133,13 +142,10 @@ class _Writer:
         return _Link(phi, along, dot(n, p), alpha, False, _square(u, add(p, u, back), n))
 
     def normal(self, n: Vector, p: Vector) -> tuple[Vector, Number]:
-        """Of the two directions of a common normal the one a person takes: along x, else with a > 0."""
-        a = dot(n, p)
-        phi = CONTEXT.atan2(n[1], n[0])
-        small = self.rest * self.size
-        turn_back = abs(abs(phi) - CONTEXT.pi) <= self.rest or (
-            abs(phi) > self.rest and (a < -small or (abs(a) <= small and phi < -self.rest))
-        )
+        """Of the two directions of a common normal the one a person takes: nearer to x; across x the one with a > 0."""
+        a, phi = dot(n, p), CONTEXT.atan2(n[1], n[0])
+        beyond = abs(phi) - CONTEXT.pi / 2
+        turn_back = beyond > 0 if abs(beyond) > ACROSS else a < 0 if abs(a) > self.normals * self.size else phi < 0
         if not turn_back:
             return n, phi
         flipped = -n[0], -n[1], -n[2]
@@ -162,16 +168,16 @@ class _Writer:
         left = here.inverse().then(tip)
         return CONTEXT.atan2(left.x[1], left.x[0]), left.origin[2]
 
-    def row(self, i: int, axis: Axis, link: _Link, *, tilt: Number, point: bool) -> dict[str, Any]:
+    def row(self, i: int, axis: Axis, link: _Link, tilt: Number, small: Number, *, point: bool) -> dict[str, Any]:
         """One row of the table, its lengths named."""
         theta = self.angle(link.phi, f"row {i}, theta", self.rest)
-        d = self.length(link.d, f"row {i}, d", self.links if point else self.rest)
+        d = self.length(link.d, f"row {i}, d", self.normals if point else self.rest)
         named = self.named(f"l{i}" if axis.kind == "P" else f"d{i}", d)
         row = {
             "type": axis.kind,
             "variable": axis.name,
             "alpha": cell_text(self.twist(link, i, tilt)),
-            "a": self.named(f"a{i}", self.length(link.a, f"row {i}, a", tilt)),
+            "a": self.named(f"a{i}", self.length(link.a, f"row {i}, a", small)),
             "d": _sum(axis.name, named) if axis.kind == "P" else named,
             "theta": _sum(axis.name, cell_text(theta)) if axis.kind == "R" else cell_text(theta),
         }

@@ -49,7 +49,7 @@ def from_urdf(
     joints = joints_between(urdf, base_link, tip_link, where=where)
     changes: list[Change] = []
     written, read = _arm(joints, EXACT, []), _arm(joints, snapping, changes)
-    table = table_of(read, Tolerance(links=snapping.within, rest=snapping.within))
+    table = table_of(read, Tolerance.of(snapping.within))
     links = f"{joints[0].parent} to {joints[-1].child}"
     draft = {
         "name": name if name is not None else _safe_name(urdf.name, path.stem),
