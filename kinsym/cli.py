@@ -76,7 +76,9 @@ def parser() -> argparse.ArgumentParser:
 
 
 def _add_table(command: argparse.ArgumentParser) -> None:
-    command.add_argument("table", metavar="TABLE", nargs="?", help="a robot of the gallery, or a .toml, .csv or .urdf file")
+    command.add_argument(
+        "table", metavar="TABLE", nargs="?", help="a robot of the gallery, or a .toml, .csv or .urdf file"
+    )
     command.add_argument("--dh", metavar="ROWS", help='rows "alpha a d theta; ..." instead of TABLE')
     command.add_argument("--convention", choices=CONVENTIONS, help="how to read a CSV table or --dh")
     command.add_argument("--name", help="name of the robot, and of the files")
@@ -88,7 +90,9 @@ def _add_table(command: argparse.ArgumentParser) -> None:
 
 
 def _add_reading(command: argparse.ArgumentParser) -> None:
-    command.add_argument("--base-link", metavar="LINK", help="where the chain of a URDF file begins (default: its root)")
+    command.add_argument(
+        "--base-link", metavar="LINK", help="where the chain of a URDF file begins (default: its root)"
+    )
     command.add_argument("--tip-link", metavar="LINK", help="where it ends (default: its only leaf)")
     numbers = command.add_mutually_exclusive_group()
     numbers.add_argument("--exact", action="store_true", help="take rounded numbers as they are: 1.5708 is not pi/2")

@@ -62,7 +62,12 @@ def load(
     path = _find(source)
     source = source if source.isprintable() else ascii(source)
     if path.suffix.lower() == URDF_SUFFIX:
-        return _from_urdf(path, source, convention, name, bindings, base_link, tip_link, snapping)
+        from kinsym.robot.urdf import from_urdf
+
+        if convention is not None:
+            raise RobotError("a URDF file has no convention", where=source, remedy="Leave out --convention.")
+        robot = from_urdf(path, base_link=base_link, tip_link=tip_link, name=name, snapping=snapping, shown_as=source)
+        return fold_zeros(bind(robot, bindings))
     if base_link is not None or tip_link is not None:
         raise RobotError(
             "only a URDF file has links", where=source, remedy="Leave out --base-link and --tip-link, or name a .urdf."
@@ -85,24 +90,6 @@ def load(
         if name is not None:
             draft["name"] = name
     return from_draft(draft, where=source, bindings=bindings, snapping=snapping)
-
-
-def _from_urdf(
-    path: Path,
-    source: str,
-    convention: str | None,
-    name: str | None,
-    bindings: Mapping[str, Fraction],
-    base_link: str | None,
-    tip_link: str | None,
-    snapping: Snapping,
-) -> Robot:
-    from kinsym.robot.urdf import from_urdf
-
-    if convention is not None:
-        raise RobotError("a URDF file has no convention", where=source, remedy="Leave out --convention.")
-    robot = from_urdf(path, base_link=base_link, tip_link=tip_link, name=name, snapping=snapping, shown_as=source)
-    return fold_zeros(bind(robot, bindings))
 
 
 def from_inline(

@@ -28,7 +28,9 @@ def read_text(path: Path, *, shown_as: str, largest: int = LARGEST_FILE) -> str:
             f"the file cannot be read ({reason})", where=shown_as, remedy="Check its name and permissions."
         ) from None
     if len(data) > largest:
-        raise RobotError(f"the file is larger than {largest >> 20} MiB", where=shown_as, remedy="A robot needs a few lines.")
+        raise RobotError(
+            f"the file is larger than {largest >> 20} MiB", where=shown_as, remedy="A robot needs a few lines."
+        )
     if b"\0" in data:
         raise RobotError("the file is binary", where=shown_as, remedy="Name a text file in TOML, CSV or URDF.")
     try:

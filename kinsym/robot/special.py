@@ -54,7 +54,10 @@ NOTED = 1e-9
 def change_notes(deviation: Deviation) -> tuple[str, ...]:
     """The changes worth a line, then the deviation in one sentence."""
     told = [change for change in deviation.changes if change.difference > NOTED]
-    lines = [f"{change.where}: {change.written} is read as {change.read_as} (off by {change.difference:.1e})." for change in told]
+    lines = [
+        f"{change.where}: {change.written} is read as {change.read_as} (off by {change.difference:.1e})."
+        for change in told
+    ]
     return (*lines, deviation.sentence())
 
 
@@ -66,9 +69,11 @@ def _row(joint: Joint, row: int, size: Fraction, snapping: Snapping, changes: li
         changes.append(_to_zero(f"row {row}, {column}", value))
         return rest
 
-    if joint.alpha is None or joint.theta is None or joint.a is None or joint.d is None:
-        x, y, z = joint.s0 or ()
+    if joint.s0 is not None:
+        x, y, z = joint.s0
         return replace(joint, s0=(length(x, "s0"), length(y, "s0"), length(z, "s0")))
+    if joint.alpha is None or joint.theta is None or joint.a is None or joint.d is None:
+        return joint
     cells = {"a": length(joint.a, "a"), "d": length(joint.d, "d")}
     for column, cell in (("alpha", joint.alpha), ("theta", joint.theta)):
         cells[column], change = snapping.angle(cell, where=f"row {row}, {column}")

@@ -27,7 +27,6 @@ from kinsym.robot.geometry.frames import (
     add,
     along,
     dot,
-    cross,
     norm,
     slide,
     turn,

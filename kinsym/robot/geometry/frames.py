@@ -64,7 +64,8 @@ class Frame:
 
     def turned(self, v: Vector) -> Vector:
         """A direction of this frame in the frame that this one is given in."""
-        return add(add(tuple(v[0] * c for c in self.x), self.y, v[1]), self.z, v[2])  # type: ignore[arg-type]
+        x, y, z = self.x, self.y, self.z
+        return add(add((v[0] * x[0], v[0] * x[1], v[0] * x[2]), y, v[1]), z, v[2])
 
     def apply(self, point: Vector) -> Vector:
         """A point of this frame in the frame that this one is given in."""

@@ -69,8 +69,9 @@ def _arm(joints: tuple[UrdfJoint, ...], snapping: Snapping, changes: list[Change
     here = UNIT
     axes: list[Axis] = []
     for joint in joints:
-        rpy = tuple(_angle(value, f"joint {_printable(joint.name)}, rpy", snapping, changes) for value in joint.rpy)
-        here = here.then(from_rpy(_numbers(joint.xyz), rpy))  # type: ignore[arg-type]
+        where = f"joint {_printable(joint.name)}, rpy"
+        roll, pitch, yaw = (_angle(value, where, snapping, changes) for value in joint.rpy)
+        here = here.then(from_rpy(_numbers(joint.xyz), (roll, pitch, yaw)))
         if joint.kind == "fixed":
             continue
         direction = _direction(joint, changes)

@@ -78,7 +78,7 @@ def _parsed(text: str, where: str) -> Any:
         from lxml import etree
     except ImportError:
         raise KinsymError(_INSTALL) from None
-    # Entities in attributes are expanded whatever the parser is told, so that a document type is refused unread.
+    # lxml expands entities in attributes whatever it is told, so that a document type is refused before it is parsed.
     if re.search(r"<!\s*(DOCTYPE|ENTITY)", text, re.IGNORECASE):
         raise RobotError(
             "the file holds a document type or entities", where=where, remedy="URDF needs none; take them out."
@@ -92,8 +92,6 @@ def _parsed(text: str, where: str) -> Any:
         line = f", line {error.lineno}" if error.lineno else ""
         reason = ascii(str(error.msg or "no element"))[1:-1]
         raise RobotError(f"this is not XML: {reason}", where=f"{where}{line}", remedy="Name a URDF file.") from None
-    if root.getroottree().docinfo.doctype:
-        raise RobotError("the file holds a document type", where=where, remedy="URDF needs none; take it out.")
     return root
 
 
@@ -189,9 +187,7 @@ def _triple(item: Any, key: str, default: Triple, where: str) -> Triple:
         return default
     words = text.split()
     if len(words) != 3:
-        raise RobotError(
-            f"{shown(text)} is not three numbers", where=where, remedy='Write, for example, "0 0 0.1".'
-        )
+        raise RobotError(f"{shown(text)} is not three numbers", where=where, remedy='Write, for example, "0 0 0.1".')
     x, y, z = (_number(word, where) for word in words)
     return x, y, z
 
