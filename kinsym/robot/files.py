@@ -25,7 +25,7 @@ from kinsym.robot.expressions import is_zero, number, parse
 from kinsym.robot.model import Change, Convention, Home, Matrix, Robot, Task, Vector
 from kinsym.robot.names import check_robot_name, nearest, shown
 from kinsym.robot.reading import read_text
-from kinsym.robot.rigid import check_rotation, from_rpy, transform
+from kinsym.robot.rigid import check_direction, check_rotation, from_rpy, transform
 from kinsym.robot.rows import check_keys, read_rows, read_vector
 from kinsym.robot.snapping import EXACT, ROUNDING, Snapping
 from kinsym.robot.special import special
@@ -130,19 +130,17 @@ def from_draft(
             raise RobotError(f"the key {key} is missing", where=where, remedy=f"Add {_EXAMPLES[key]}.")
     name = check_robot_name(_line(draft, "name", where), where=f"{where}, name")
     convention = _convention(_line(draft, "convention", where), where)
-    joints = read_rows(draft["joints"], convention, where=where)
     changes: list[Change] = []
     robot = Robot(
         name=name,
         title=_line(draft, "title", where) or name,
         convention=convention,
-        joints=joints,
+        joints=(),
         task=_task(draft, where),
-        home=_home(draft, convention, where),
-        base=_transform(draft, "base", where, snapping, changes),
-        tool=_transform(draft, "tool", where, snapping, changes),
         source=_line(draft, "source", where),
     )
+    robot, written = _with_table(robot, draft, where, snapping, changes), robot
+    _check_rigid(robot, where)
     values = _parameter_values(draft, where)
     used = used_parameters(robot, where=where)
     for given in values:
@@ -153,14 +151,38 @@ def from_draft(
                 where=f"{where}, [parameters] {shown(given)[1:-1]}",
                 remedy=f"{nearest(given, used)}The parameters of the table: {', '.join(used) or 'none'}.",
             )
-    robot = replace(robot, parameters={parameter: values.get(parameter) for parameter in used})
-    written = robot
-    if changes:
-        base, tool = (_transform(draft, key, where, EXACT, []) for key in ("base", "tool"))
-        written = replace(robot, base=base, tool=tool)
-    robot, written = (fold_zeros(bind(either, bindings)) for either in (robot, written))
+    parameters = {parameter: values.get(parameter) for parameter in used}
+    written = _with_table(written, draft, where, EXACT, []) if changes else robot
+    robot, written = (fold_zeros(bind(replace(either, parameters=parameters), bindings)) for either in (robot, written))
     robot = special(robot, snapping, written=written, earlier=tuple(changes))
     return replace(robot, notes=(*robot.notes, *advised(robot)))
+
+
+def _with_table(
+    robot: Robot, draft: Mapping[str, object], where: str, snapping: Snapping, changes: list[Change]
+) -> Robot:
+    """The robot with rows, home frame, base and tool; whether they are rigid is not checked yet."""
+    return replace(
+        robot,
+        joints=read_rows(draft["joints"], robot.convention, where=where, snapping=snapping, changes=changes),
+        home=_home(draft, robot.convention, where, snapping, changes),
+        base=_transform(draft, "base", where, snapping, changes),
+        tool=_transform(draft, "tool", where, snapping, changes),
+    )
+
+
+def _check_rigid(robot: Robot, where: str) -> None:
+    for i, joint in enumerate(robot.joints, start=1):
+        if joint.s is not None:
+            check_direction(joint.s, where=f"{where}, joints row {i}, s")
+    if robot.home is not None:
+        home = robot.home
+        check_rotation((home.u0, home.v0, home.w0), what="the home frame", where=f"{where}, [home]")
+    for key, matrix in (("base", robot.base), ("tool", robot.tool)):
+        if matrix is not None:
+            columns = ((matrix[0][j], matrix[1][j], matrix[2][j]) for j in range(3))
+            u, v, w = columns
+            check_rotation((u, v, w), what="the rotation of the transform", where=f"{where}, [{key}] matrix")
 
 
 _EXAMPLES = {
@@ -270,7 +292,9 @@ def _table(draft: Mapping[str, object], key: str, where: str) -> dict[str, objec
     return table
 
 
-def _home(draft: Mapping[str, object], convention: Convention, where: str) -> Home | None:
+def _home(
+    draft: Mapping[str, object], convention: Convention, where: str, snapping: Snapping, changes: list[Change]
+) -> Home | None:
     if convention is not Convention.SCREW:
         if "home" in draft:
             raise RobotError(
@@ -291,9 +315,10 @@ def _home(draft: Mapping[str, object], convention: Convention, where: str) -> Ho
                 remedy="A table of screws needs u0, v0, w0 (axes) and q0 (origin) of the end effector at home.",
             )
         vectors[key] = read_vector(table[key], where=f"{where}, [home] {key}")
-    home = Home(**vectors)
-    check_rotation((home.u0, home.v0, home.w0), what="the home frame", where=f"{where}, [home]")
-    return home
+        if key != "q0":
+            vectors[key], change = snapping.direction(vectors[key], where=f"[home] {key}")
+            changes += [change] if change else []
+    return Home(**vectors)
 
 
 def _transform(
@@ -307,7 +332,7 @@ def _transform(
     if "matrix" in table:
         if len(table) > 1:
             raise RobotError("matrix stands beside xyz or rpy", where=place, remedy="Give one of them.")
-        return _matrix(table["matrix"], f"{place} matrix")
+        return _matrix(table["matrix"], f"{place} matrix", f"[{key}] matrix", snapping, changes)
     if not table:
         raise RobotError("the transform is empty", where=place, remedy="Give xyz and rpy, or matrix.")
     origin = read_vector(table.get("xyz", [0, 0, 0]), where=f"{place} xyz")
@@ -318,7 +343,7 @@ def _transform(
     return transform(from_rpy(roll, pitch, yaw, where=f"{place} rpy"), origin)
 
 
-def _matrix(rows: object, where: str) -> Matrix:
+def _matrix(rows: object, where: str, noted: str, snapping: Snapping, changes: list[Change]) -> Matrix:
     if not isinstance(rows, list) or [len(row) if isinstance(row, list) else 0 for row in rows] != [4] * 4:
         raise RobotError("the matrix is not 4x4", where=where, remedy="Write four rows of four cells.")
     cells: list[list[Expr]] = [
@@ -330,8 +355,9 @@ def _matrix(rows: object, where: str) -> Matrix:
     def column(j: int) -> Vector:
         return cells[0][j], cells[1][j], cells[2][j]
 
-    check_rotation((column(0), column(1), column(2)), what="the rotation of the transform", where=where)
-    return transform((column(0), column(1), column(2)), column(3))
+    (u, _), (v, _), (w, _) = turned = [snapping.direction(column(j), where=noted) for j in range(3)]
+    changes += [change for _, change in turned if change]
+    return transform((u, v, w), column(3))
 
 
 def _parameter_values(draft: Mapping[str, object], where: str) -> dict[str, Fraction]:

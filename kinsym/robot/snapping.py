@@ -6,7 +6,8 @@ CAD print it so. Unless the user forbids it (``--exact``) an angle is read as a 
 * has four or more decimal places and agrees with the multiple to all of them, or
 * is off by at most 1e-6 rad;
 
-and a length is read as zero where it is at most 1e-6 of the arm's size. ``--snap TOL`` puts its own tolerance in the
+a cosine of such an angle in a unit vector likewise (0.7071 is sqrt(2)/2, 0.9999 is 1), and a length is read as zero
+where it is at most 1e-6 of the arm's size. ``--snap TOL`` puts its own tolerance in the
 place of both rules. Whatever is read otherwise than written is a :class:`~kinsym.robot.model.Change`.
 """
 
@@ -20,7 +21,7 @@ from sympy import Expr, Rational
 
 from kinsym.errors import RobotError
 from kinsym.robot.expressions import number
-from kinsym.robot.model import Change
+from kinsym.robot.model import Change, Vector
 from kinsym.robot.text import cell_text
 
 PARTS_OF_PI = 12
@@ -60,11 +61,40 @@ class Snapping:
         change = Change(where=where, written=cell_text(constant), read_as=cell_text(exact), difference=float(error))
         return cell - constant + exact, change
 
+    def direction(self, cells: Vector, *, where: str) -> tuple[Vector, Change | None]:
+        """A vector of rounded cosines of multiples of 15 degrees made a unit vector, and the change if there is one.
+
+        Nothing is changed unless the length becomes one exactly.
+
+        >>> from kinsym.robot import parse
+        >>> ROUNDING.direction((parse("0.7071"), parse("0"), parse("-0.7071")), where="")[0]
+        (sqrt(2)/2, 0, -sqrt(2)/2)
+        """
+        x, y, z = (self._cosine(cell) for cell in cells)
+        exact = x, y, z
+        if exact == cells or sympy.expand(x**2 + y**2 + z**2) != 1:
+            return cells, None
+        difference = max(abs(float(a - b)) for a, b in zip(exact, cells, strict=True))
+        written, read_as = (", ".join(cell_text(cell) for cell in vector) for vector in (cells, exact))
+        return exact, Change(where=where, written=written, read_as=read_as, difference=difference)
+
+    def _cosine(self, cell: Expr) -> Expr:
+        if not cell.is_Rational:
+            return cell
+        size, places = abs(cell), decimal_places(cell)
+        agrees = self.places is not None and places is not None and self.places <= places
+        allowed = max(self.within, Fraction(1, 10**places) if agrees and places is not None else Fraction(0))
+        exact = min(_COSINES, key=lambda cosine: abs(float(cosine - size)))
+        if abs(float(exact - size)) > float(allowed):
+            return cell
+        return exact if cell >= 0 else -exact
+
     def negligible(self, length: Fraction, size: Fraction) -> bool:
         """Whether a length that is not zero is read as zero in an arm of this size."""
         return 0 < abs(length) <= self.within * size
 
 
+_COSINES = tuple(sympy.cos(multiple * sympy.pi / PARTS_OF_PI) for multiple in range(PARTS_OF_PI // 2 + 1))
 ROUNDING = Snapping(within=Fraction(1, 10**6), places=4)
 EXACT = Snapping(within=Fraction(0))
 

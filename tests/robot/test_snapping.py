@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
-from sympy import pi
+from sympy import pi, sqrt
 
 from kinsym.derivation import derive
 from kinsym.errors import RobotError
@@ -114,6 +114,38 @@ def test_points_of_screws_and_turned_tools() -> None:
     assert robot.deviation is not None
     assert robot.deviation.rotation == pytest.approx(3.673205e-6, rel=1e-6)
     assert robot.notes[0] == "[tool] rpy: 1.5708 is read as pi/2 (off by 3.7e-06)."
+
+
+def test_vectors_of_rounded_cosines() -> None:
+    """0.7071 is the cosine of 45 degrees, 0.99999 is 1; what T is off by is measured from the vector as written."""
+    robot = build(changed(SCREWS, "joints", 0, "s", to=["0.70711", "0", "-0.70711"]))
+    assert robot.joints[0].s == (sqrt(2) / 2, 0, -sqrt(2) / 2)
+    assert robot.notes[0] == ("row 1, s: 0.70711, 0, -0.70711 is read as sqrt(2)/2, 0, -sqrt(2)/2 (off by 3.2e-06).")
+    robot = build(changed(SCREWS, "home", "u0", to=["0.99999", "0", "0"]))
+    assert robot.home is not None
+    assert robot.home.u0 == (1, 0, 0)
+    askew = changed(SCREWS, "joints", 0, "s", to=["0.0000003", "0", "1"])
+    robot = build(askew)
+    assert robot.joints[0].s == (0, 0, 1)
+    assert robot.deviation is not None
+    assert robot.deviation.rotation == pytest.approx(6e-7, rel=0.1)
+
+
+def test_a_matrix_of_rounded_cosines() -> None:
+    matrix = [["0.86603", "-0.5", 0, "0.1"], ["0.5", "0.86603", 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+    robot = build(changed(ARM, "tool", to={"matrix": [["0.8660254", "-0.5", 0, "0.1"], *matrix[1:]]}))
+    assert robot.tool is not None
+    assert robot.tool[1][1] == sqrt(3) / 2
+    assert [change.where for change in robot.deviation.changes] == ["[tool] matrix"] * 2  # type: ignore[union-attr]
+    with pytest.raises(RobotError, match="not orthonormal"):
+        build(changed(ARM, "tool", to={"matrix": [["0.87", "-0.5", 0, "0.1"], *matrix[1:]]}))
+
+
+def test_other_vectors_are_refused_as_before() -> None:
+    for vector in (["0.707", "0.707", "0"], ["0.7071", "0.7171", "0"], ["0.6001", "0.8001", "0"]):
+        with pytest.raises(RobotError, match="not a unit vector"):
+            build(changed(SCREWS, "joints", 0, "s", to=vector))
+    assert build(SCREWS).deviation is None
 
 
 def test_the_gallery_is_read_as_it_is_written() -> None:

@@ -30,6 +30,7 @@ from kinsym.robot.geometry.frames import (
     norm,
     slide,
     turn,
+    unit,
 )
 from kinsym.robot.model import Convention, Joint, Robot
 
@@ -147,7 +148,8 @@ class _Reader:
 
     def screws(self, base: Frame) -> tuple[tuple[Axis, ...], Frame]:
         axes = [
-            _axis(joint, base.then(along(self.vector(joint.s), self.vector(joint.s0)))) for joint in self.robot.joints
+            _axis(joint, base.then(along(unit(self.vector(joint.s)), self.vector(joint.s0))))
+            for joint in self.robot.joints
         ]
         home = self.robot.home
         if home is None:
