@@ -93,7 +93,7 @@ def _add_reading(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--base-link", metavar="LINK", help="where the chain of a URDF file begins (default: its root)"
     )
-    command.add_argument("--tip-link", metavar="LINK", help="where it ends (default: its only leaf)")
+    command.add_argument("--tip-link", metavar="LINK", help="where it ends (default: its only leaf that moves)")
     numbers = command.add_mutually_exclusive_group()
     numbers.add_argument("--exact", action="store_true", help="take rounded numbers as they are: 1.5708 is not pi/2")
     numbers.add_argument(

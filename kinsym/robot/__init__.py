@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from kinsym.robot.binding import bind
     from kinsym.robot.expressions import number, parse, symbol
     from kinsym.robot.files import from_inline, load
+    from kinsym.robot.nearby import nominal
     from kinsym.robot.summary import digest, table_lines, to_toml
 
 __all__ = [
@@ -29,6 +30,7 @@ __all__ = [
     "gallery_path",
     "gallery_titles",
     "load",
+    "nominal",
     "number",
     "parse",
     "symbol",
@@ -41,6 +43,7 @@ _LAZY = {
     "digest": "kinsym.robot.summary",
     "from_inline": "kinsym.robot.files",
     "load": "kinsym.robot.files",
+    "nominal": "kinsym.robot.nearby",
     "number": "kinsym.robot.expressions",
     "parse": "kinsym.robot.expressions",
     "symbol": "kinsym.robot.expressions",

@@ -96,7 +96,8 @@ class Deviation:
     def sentence(self) -> str:
         """The deviation in words."""
         count = len(self.changes)
-        numbers = f"{count} number{'s' * (count != 1)} read as special values" if count else "no number changed"
+        values = "a special value" if count == 1 else "special values"
+        numbers = f"{count} number{'s' * (count != 1)} read as {values}" if count else "no number changed"
         return (
             f"{numbers}; the forward kinematics differs from the numbers as written by at most "
             f"{self.position:.1e} in position and {self.rotation:.1e} rad."

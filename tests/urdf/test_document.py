@@ -108,6 +108,12 @@ def test_numbers_are_those_written(tmp_path: Path) -> None:
     assert [str(value) for value in joint.limits] == ["-1/10", "1/2"]
 
 
+def test_what_programs_write_for_zero(tmp_path: Path) -> None:
+    """Such numbers stand in the URDF files of iCub and Romeo."""
+    joint = read_urdf(write(tmp_path, with_joint(xyz="-7.46298e-34 0 1e-999")), shown_as="arm.urdf").joints[1]
+    assert joint.xyz == (0, 0, 0)
+
+
 def test_without_lxml_one_line_tells_what_to_install(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -36,6 +36,14 @@ def test_a_mimic_joint_and_a_floating_one_beside_the_chain_do_no_harm(tmp_path: 
 
 ROW = urdf(J("j1", "revolute", "a", "b"), J("j2", "revolute", "b", "c"), J("j3", "fixed", "c", "d"))
 RING = urdf(J("j1", "revolute", "a", "b"), J("j2", "revolute", "b", "a"))
+
+
+def test_a_leaf_that_does_not_move_is_no_end(tmp_path: Path) -> None:
+    """A camera at the foot of an arm."""
+    camera = J("mount", "fixed", "base", "camera")
+    assert chosen(tree(tmp_path, urdf(camera, J("j1", "revolute", "base", "tool")))) == ["j1"]
+
+
 REFUSED: dict[str, tuple[str, str | None, str | None, tuple[str, ...]]] = {
     "unknown tip": (ROW, None, "e", ("--tip-link: there is no link 'e'", "The links are a, b, c, d")),
     "nearest base": (

@@ -205,7 +205,10 @@ def _limits(item: Any, where: str) -> tuple[Fraction, Fraction] | None:
 def _number(word: str, where: str) -> Fraction:
     if _NUMBER.fullmatch(word) and len(word) <= LONGEST_NUMBER:
         value = Decimal(word)
-        if not value or abs(value.adjusted()) <= LARGEST_EXPONENT:
+        # Programs write -7.46298e-34 for zero, which nothing can tell from it.
+        if not value or value.adjusted() < -LARGEST_EXPONENT:
+            return Fraction(0)
+        if value.adjusted() <= LARGEST_EXPONENT:
             return Fraction(value)
     if word.lower().lstrip("+-") in ("nan", "inf", "infinity"):
         raise RobotError("NaN and infinity are not numbers of a robot", where=where, remedy="Write a finite number.")

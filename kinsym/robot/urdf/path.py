@@ -14,7 +14,8 @@ _MOVING = ("revolute", "continuous", "prismatic")
 def joints_between(urdf: Urdf, base: str | None, tip: str | None, *, where: str) -> tuple[UrdfJoint, ...]:
     """The joints that lead from the link ``base`` down to the link ``tip``, fixed ones included.
 
-    Without ``base`` the path begins at the root of the tree, without ``tip`` it ends at the only leaf below the base.
+    Without ``base`` the path begins at the root of the tree, without ``tip`` it ends at the only leaf below the base
+    that moves.
     Raises RobotError where a link does not exist, the choice is not unique, no path leads down, or a joint of the
     path is none of a serial arm (floating, planar, mimic), and where nothing on the path moves.
     """
@@ -74,27 +75,29 @@ def _root(urdf: Urdf, above: dict[str, UrdfJoint], tip: str | None, where: str) 
 
 
 def _leaf(urdf: Urdf, start: str, where: str) -> str:
-    below: dict[str, list[str]] = {}
+    """The only leaf that moves against the start; the only leaf where none does."""
+    below: dict[str, list[UrdfJoint]] = {}
     for joint in urdf.joints:
-        below.setdefault(joint.parent, []).append(joint.child)
-    leaves: list[str] = []
-    reached, waiting = {start}, [start]
+        below.setdefault(joint.parent, []).append(joint)
+    leaves: dict[str, bool] = {}
+    moves, waiting = {start: False}, [start]
     while waiting:
         here = waiting.pop()
-        children = [child for child in below.get(here, []) if child not in reached]
-        reached.update(children)
-        waiting += children
+        for joint in below.get(here, []):
+            if joint.child not in moves:
+                moves[joint.child] = moves[here] or joint.kind != "fixed"
+                waiting.append(joint.child)
         if here not in below:
-            leaves.append(here)
-    leaves.sort(key=urdf.links.index)
-    if len(leaves) == 1:
-        return leaves[0]
+            leaves[here] = moves[here]
     if not leaves:
         raise RobotError("the links form a ring", where=where, remedy="The links of a URDF form a tree; cut it.")
+    ends = [link for link in urdf.links if leaves.get(link, False)] or sorted(leaves, key=urdf.links.index)
+    if len(ends) == 1:
+        return ends[0]
     raise RobotError(
-        f"{len(leaves)} chains begin at {shown(start)}",
+        f"{len(ends)} chains begin at {shown(start)}",
         where=where,
-        remedy=f"Name the end of one with --tip-link: {_listed(leaves)}, or a link before it.",
+        remedy=f"Name the end of one with --tip-link: {_listed(ends)}, or a link before it.",
     )
 
 
