@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import builtins
+import contextlib
+import tempfile
 from pathlib import Path
 from typing import Any
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from kinsym.cli import main
 from kinsym.errors import RobotError
+from kinsym.robot import load
 from kinsym.robot.urdf.document import LARGEST_FILE, read_urdf
 from tests.urdf.trees import J, urdf, write
 
@@ -43,6 +48,11 @@ BAD: dict[str, tuple[str, str]] = {
     "joint twice": (with_joint(name="j1"), "there are two joints 'j1'"),
     "link twice": (urdf(*TWO).replace('<link name="b"/>', '<link name="b"/><link name="b"/>'), "two links 'b'"),
     "two parents": (urdf(*TWO, J("j3", "fixed", "a", "c")), "the link 'c' is the child of 'j2' as well"),
+    "long name": (with_joint(name="j" * 300), "is longer than 200 letters"),
+    "too many links": (
+        urdf(*(J(f"j{i}", "fixed", "a", f"l{i}") for i in range(5001))),
+        "the file has more than 5000 links",
+    ),
     "limits": (with_joint(inside='<limit lower="1" upper="-1"/>'), "the lower limit is above the upper"),
     "limit is no number": (with_joint(inside='<limit lower="low" upper="1"/>'), "'low' is not a decimal number"),
 }
@@ -112,6 +122,15 @@ def test_what_programs_write_for_zero(tmp_path: Path) -> None:
     """Such numbers stand in the URDF files of iCub and Romeo."""
     joint = read_urdf(write(tmp_path, with_joint(xyz="-7.46298e-34 0 1e-999")), shown_as="arm.urdf").joints[1]
     assert joint.xyz == (0, 0, 0)
+
+
+@settings(max_examples=60)
+@given(st.integers(0, len(urdf(*TWO)) - 1), st.text(max_size=6), st.integers(0, 12))
+def test_any_damage_is_refused_or_harmless(place: int, inserted: str, removed: int) -> None:
+    """Whatever is put into the file or taken out of it: a robot or one message."""
+    text = urdf(*TWO)
+    with tempfile.TemporaryDirectory() as folder, contextlib.suppress(RobotError):
+        load(str(write(Path(folder), text[:place] + inserted + text[place + removed :])))
 
 
 def test_without_lxml_one_line_tells_what_to_install(

@@ -12,6 +12,7 @@ is fetched, and its size and depth are bounded.
 from __future__ import annotations
 
 import re
+from collections import Counter
 from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
@@ -24,6 +25,8 @@ from kinsym.robot.reading import read_text
 
 LARGEST_FILE = 8 << 20
 TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
+MOST_LINKS = 5000
+LONGEST_NAME = 200
 LONGEST_NUMBER = 60
 LARGEST_EXPONENT = 30
 
@@ -119,14 +122,17 @@ class _Document:
     def check(self, links: list[str], joints: list[UrdfJoint]) -> None:
         if not joints:
             raise RobotError("the file has no joints", where=self.where, remedy="A robot moves: add a joint.")
+        if max(len(links), len(joints)) > MOST_LINKS:
+            raise RobotError(f"the file has more than {MOST_LINKS} links", where=self.where, remedy="Take some out.")
         for kind, names in (("link", links), ("joint", [joint.name for joint in joints])):
-            twice = next((name for name in names if names.count(name) > 1), None)
+            twice = next((name for name, count in Counter(names).items() if count > 1), None)
             if twice is not None:
                 raise RobotError(f"there are two {kind}s {shown(twice)}", where=self.where, remedy="Rename one.")
         parents: dict[str, str] = {}
+        known = set(links)
         for joint in joints:
             for link in (joint.parent, joint.child):
-                if link not in links:
+                if link not in known:
                     raise RobotError(
                         f"there is no link {shown(link)}",
                         where=joint.where,
@@ -177,6 +183,12 @@ class _Document:
         if not value:
             raise RobotError(
                 f"a {tag} has no {key}", where=f"{self.where}, line {item.sourceline}", remedy=f'Add {key}="...".'
+            )
+        if len(value) > LONGEST_NAME:
+            raise RobotError(
+                f"the {key} {shown(value)} is longer than {LONGEST_NAME} letters",
+                where=f"{self.where}, line {item.sourceline}",
+                remedy="Shorten it.",
             )
         return str(value)
 
