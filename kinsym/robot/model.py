@@ -98,6 +98,8 @@ class Deviation:
         count = len(self.changes)
         values = "a special value" if count == 1 else "special values"
         numbers = f"{count} number{'s' * (count != 1)} read as {values}" if count else "no number changed"
+        if self.position == self.rotation == 0:
+            return f"{numbers}; the forward kinematics is that of the numbers as written."
         return (
             f"{numbers}; the forward kinematics differs from the numbers as written by at most "
             f"{self.position:.1e} in position and {self.rotation:.1e} rad."

@@ -5,12 +5,13 @@ from __future__ import annotations
 import json
 import tomllib
 from pathlib import Path
+from xml.sax.saxutils import escape
 
 import pytest
 
 from kinsym.cli import main
 from kinsym.robot import load
-from tests.urdf.trees import panda, planar, ur5, write
+from tests.urdf.trees import J, panda, planar, ur5, urdf, write
 
 
 @pytest.fixture
@@ -100,6 +101,17 @@ def test_import_replaces_only_what_it_is_told(here: Path, capsys: pytest.Capture
     assert main(["import", "arm.urdf", "-o", "planar.toml", "--quiet"]) == 0
     assert load("planar.toml").name == "planar"
     assert capsys.readouterr().out == ""
+
+
+def test_names_of_links_and_joints_are_only_text(here: Path) -> None:
+    """Quotes, comment signs and line ends in names change neither the robot file nor the sources."""
+    odd = escape('% $ # { \\ */ """ ?>\u2028', {'"': "&quot;", "\u2028": "&#10;name = 1"})
+    write(here, urdf(J(f"j{odd}", "continuous", "a", f"b{odd}", rpy="1e-8 0 0"), name=odd))
+    assert main(["import", "arm.urdf", "-o", "odd.toml"]) == 0
+    head, _, rest = Path("odd.toml").read_text(encoding="utf-8").partition('name = "')
+    assert all(line.startswith("# ") for line in head.splitlines())
+    assert rest.startswith("name_1_arm") or rest.startswith("name_1")
+    assert main(["derive", "odd.toml", "--name", "odd", "--quiet"]) == 0
 
 
 MISUSE: dict[str, tuple[list[str], str]] = {

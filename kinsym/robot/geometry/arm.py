@@ -18,6 +18,7 @@ from kinsym.robot.expressions import symbol
 from kinsym.robot.geometry.frames import (
     CONTEXT,
     DIGITS,
+    NOTHING,
     ONE,
     UNIT,
     ZERO,
@@ -92,7 +93,8 @@ def difference(first: Arm, second: Arm) -> tuple[float, float]:
         q = [_drawn(axis, size, generator) if number else ZERO for axis in first.axes]
         a, b = first.pose(q), second.pose(q)
         worst = max(worst[0], norm(add(a.origin, b.origin, -ONE))), max(worst[1], _angle(a, b))
-    return float(worst[0]), float(worst[1])
+    position, rotation = (float(value) if value > NOTHING else 0.0 for value in worst)
+    return position, rotation
 
 
 def _drawn(axis: Axis, size: Number, generator: random.Random) -> Number:

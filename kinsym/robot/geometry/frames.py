@@ -19,6 +19,8 @@ CONTEXT.dps = DIGITS
 Number = Any
 """A number of :data:`CONTEXT`; mpmath has no types."""
 Vector = tuple[Number, Number, Number]
+NOTHING = CONTEXT.mpf("1e-30")
+"""What 40 digits may leave of an exact zero."""
 ZERO, ONE = CONTEXT.mpf(0), CONTEXT.mpf(1)
 
 

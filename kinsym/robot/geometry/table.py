@@ -19,13 +19,24 @@ from typing import Any
 from sympy import Expr, Integer, Rational, pi
 
 from kinsym.robot.geometry.arm import Arm, Axis, mpf
-from kinsym.robot.geometry.frames import CONTEXT, UNIT, ZERO, Frame, Number, Vector, add, cross, dot, norm, unit
+from kinsym.robot.geometry.frames import (
+    CONTEXT,
+    NOTHING,
+    UNIT,
+    ZERO,
+    Frame,
+    Number,
+    Vector,
+    add,
+    cross,
+    dot,
+    norm,
+    unit,
+)
 from kinsym.robot.model import Change
 from kinsym.robot.snapping import PARTS_OF_PI
 from kinsym.robot.text import cell_text, value_text
 
-NOTHING = CONTEXT.mpf("1e-30")
-"""What 40 digits leave of an exact zero."""
 FINEST = CONTEXT.mpf("1e-17")
 """Cells are decimals to this share of the arm's size, below the rounding of a double."""
 ACROSS = CONTEXT.mpf("0.1")

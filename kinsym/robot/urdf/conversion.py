@@ -9,6 +9,7 @@ that of the table.
 from __future__ import annotations
 
 import re
+import unicodedata
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -26,7 +27,7 @@ from kinsym.robot.names import check_robot_name, shown
 from kinsym.robot.snapping import EXACT, ROUNDING, Snapping
 from kinsym.robot.special import change_notes
 from kinsym.robot.text import value_text
-from kinsym.robot.urdf.document import Triple, UrdfJoint, read_urdf
+from kinsym.robot.urdf.document import LONGEST_NAME, Triple, UrdfJoint, read_urdf
 from kinsym.robot.urdf.path import joints_between
 
 
@@ -121,13 +122,15 @@ def _limitless(joints: tuple[UrdfJoint, ...]) -> tuple[str, ...]:
 
 
 def _printable(text: str) -> str:
-    return shown(text, longest=200)[1:-1]
+    return text if text.isprintable() and len(text) <= LONGEST_NAME else shown(text, longest=LONGEST_NAME)[1:-1]
 
 
 def _safe_name(text: str, stem: str) -> str:
     """A name for files and functions from the robot's name in the file, or from the file's."""
     for candidate in (text, stem, f"{text}_arm", f"{stem}_arm"):
-        plain = re.sub(r"[^A-Za-z0-9]+", "_", candidate).strip("_")[:40].rstrip("_")
+        # Letters with marks are taken apart first: u-umlaut becomes u.
+        letters = re.sub(r"[\u0300-\u036f]", "", unicodedata.normalize("NFKD", candidate))
+        plain = re.sub(r"[^A-Za-z0-9]+", "_", letters).strip("_")[:40].rstrip("_")
         try:
             return check_robot_name(plain, where="")
         except RobotError:
