@@ -147,11 +147,31 @@ def test_a_wider_tolerance_on_demand(tmp_path: Path) -> None:
     assert columns(robot, "alpha")[:5] == ["-pi/2", "0", "0", "-pi/2", "pi/2"]
 
 
-def test_an_axis_is_normalised_and_that_is_told(tmp_path: Path) -> None:
-    robot = load(str(write(tmp_path, urdf(J("j1", "prismatic", "a", "b", axis="0 0 0.99999"), name="slide"))))
-    assert robot.notes[2] == "joint j1, axis: 0 0 0.99999 is read as a unit vector (off by 1.0e-05)."
+@pytest.mark.parametrize(
+    ("axis", "note"),
+    [
+        ("0 0 0.99999", "0, 0, 0.99999 is read as 0, 0, 1 (off by 1.0e-05)."),
+        ("0 0 -2.5", "0 0 -2.5 is read as a unit vector (off by 1.5e+00)."),
+        ("0.1 0.2 0.3", "0.1 0.2 0.3 is read as a unit vector (off by 6.3e-01)."),
+    ],
+)
+def test_an_axis_is_normalised_and_that_is_told(tmp_path: Path, axis: str, note: str) -> None:
+    path = write(tmp_path, urdf(J("j1", "prismatic", "a", "b", axis=axis), name="slide"))
+    robot = load(str(path))
+    assert robot.notes[2] == f"joint j1, axis: {note}"
     assert robot.variables == ("d1",)
     assert columns(robot, "d") == ["d1"]
+    assert off(robot, path) < 1e-14
+
+
+def test_an_axis_of_rounded_cosines(tmp_path: Path) -> None:
+    """An axis of five digits, 30 degrees from the one before it, though its angle is off by 2e-6 rad."""
+    text = urdf(J("j1", "continuous", "a", "b"), J("j2", "continuous", "b", "c", "0.3 0 0", axis="0 0.5 0.86603"))
+    robot = load(str(write(tmp_path, text)))
+    assert columns(robot, "alpha")[0] in ("-pi/6", "pi/6")
+    assert robot.deviation is not None
+    assert 1e-7 < robot.deviation.rotation < 1e-5
+    assert load(str(tmp_path / "arm.urdf"), snapping=EXACT).joints[0].alpha not in (parse("pi/6"), parse("-pi/6"))
 
 
 def test_planar_arm_without_its_meshes(tmp_path: Path) -> None:

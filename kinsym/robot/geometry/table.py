@@ -107,7 +107,7 @@ class _Writer:
         for axis in self.arm.axes[1:]:
             links.append(link := self.link(here, axis.frame, self.twists))
             here = here.then(link.foot)
-        links.append(last := self.link(here, self.arm.tip, self.rest))
+        links.append(last := self.link(here, self.arm.tip, self.rest, last=True))
         psi, epsilon = self.remainder(here.then(last.foot), self.arm.tip)
         if last.parallel and abs(last.a) <= self.rest * self.size:
             turned = -psi if CONTEXT.cos(last.alpha) < 0 else psi
@@ -138,13 +138,13 @@ class _Writer:
         place = (link.a * CONTEXT.cos(link.phi), link.a * CONTEXT.sin(link.phi), link.d)
         return self.transform("base", place, (link.alpha, ZERO, link.phi)), link.foot
 
-    def link(self, here: Frame, following: Frame, tolerance: Number) -> _Link:
+    def link(self, here: Frame, following: Frame, tolerance: Number, *, last: bool = False) -> _Link:
         """How to get from the z axis of one frame to that of the next."""
         there = here.inverse().then(following)
         u, p = there.z, there.origin
         normal = cross(UNIT.z, u)
         if norm(normal) <= tolerance:
-            return self.parallel(u, p, last=following is self.arm.tip)
+            return self.parallel(u, p, last=last)
         n, phi = self.normal(unit(normal), p)
         sine, cosine = dot(cross(UNIT.z, u), n), u[2]
         along = (p[2] - cosine * dot(u, p)) / (sine * sine)

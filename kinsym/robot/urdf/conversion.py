@@ -15,7 +15,7 @@ from fractions import Fraction
 from pathlib import Path
 
 import sympy
-from sympy import Rational
+from sympy import Expr, Rational
 
 from kinsym.errors import RobotError
 from kinsym.robot.files import from_draft
@@ -75,7 +75,7 @@ def _arm(joints: tuple[UrdfJoint, ...], snapping: Snapping, changes: list[Change
         here = here.then(from_rpy(_numbers(joint.xyz), (roll, pitch, yaw)))
         if joint.kind == "fixed":
             continue
-        direction = _direction(joint, changes)
+        direction = _direction(joint, snapping, changes)
         kind = "P" if joint.kind == "prismatic" else "R"
         variable = f"{'d' if kind == 'P' else 'theta'}{len(axes) + 1}"
         frame = here.then(along(direction, UNIT.origin))
@@ -92,16 +92,26 @@ def _angle(value: Fraction, where: str, snapping: Snapping, changes: list[Change
     cell, change = snapping.angle(Rational(value.numerator, value.denominator), where=where)
     if change:
         changes.append(change)
+    return _value(cell)
+
+
+def _value(cell: Expr) -> Number:
     return CONTEXT.mpf(str(sympy.N(cell, DIGITS)))
 
 
-def _direction(joint: UrdfJoint, changes: list[Change]) -> Vector:
+def _direction(joint: UrdfJoint, snapping: Snapping, changes: list[Change]) -> Vector:
     """The axis as a unit vector; readers differ on what a slide along a longer one means, so that a change is told."""
+    where = f"joint {_printable(joint.name)}, axis"
+    x, y, z = (Rational(value.numerator, value.denominator) for value in joint.axis)
+    exact, change = snapping.direction((x, y, z), where=where)
+    if change:
+        changes.append(change)
+        x, y, z = (_value(cell) for cell in exact)
+        return x, y, z
     axis = _numbers(joint.axis)
     excess = abs(norm(axis) - 1)
     if excess:
         written = " ".join(value_text(value) for value in joint.axis)
-        where = f"joint {_printable(joint.name)}, axis"
         changes.append(Change(where=where, written=written, read_as="a unit vector", difference=float(excess)))
     return unit(axis)
 
