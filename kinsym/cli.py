@@ -1,4 +1,4 @@
-"""The command line: ``kinsym derive``, ``show``, ``robots`` and ``check``.
+"""The command line: ``kinsym derive``, ``show``, ``import``, ``robots`` and ``check``.
 
 Only the parser lives here, and it loads nothing that calculates, so that ``kinsym --help`` answers at once. Exit
 status: 0 done and checked, 1 no closed form or a check failed, 2 the input is wrong, 130 interrupted.
@@ -26,6 +26,8 @@ examples:
   kinsym derive table.csv --convention craig
   kinsym derive --dh "pi/2 0 d1 theta1; 0 a2 0 theta2" --convention paul --name two_links
   kinsym derive kuka_iiwa --lock theta3     an arm with seven joints: theta3 is an input
+  kinsym derive arm.urdf --tip-link tool0   a chain of a URDF file
+  kinsym import arm.urdf --tip-link tool0   the same as a robot file, to read and edit
   kinsym show ur5                           the equations only
   kinsym check out                          the checks again, on the files in ./out
 
@@ -54,6 +56,13 @@ def parser() -> argparse.ArgumentParser:
     _add_table(show)
     show.add_argument("--full", action="store_true", help="with link transforms and Jacobian")
 
+    imported = commands.add_parser("import", help="write a chain of a URDF file as a robot file", allow_abbrev=False)
+    imported.add_argument("file", metavar="FILE", help="a .urdf file")
+    imported.add_argument("--name", help="name of the robot, and of the file")
+    imported.add_argument("-o", "--output", metavar="FILE", help="the robot file to write (default: ./NAME.toml)")
+    imported.add_argument("--quiet", action="store_true", help="print errors only")
+    _add_reading(imported)
+
     commands.add_parser("robots", help="list the robots of the gallery", allow_abbrev=False)
 
     check = commands.add_parser(
@@ -68,7 +77,9 @@ def parser() -> argparse.ArgumentParser:
 
 
 def _add_table(command: argparse.ArgumentParser) -> None:
-    command.add_argument("table", metavar="TABLE", nargs="?", help="a robot of the gallery, or a .toml or .csv file")
+    command.add_argument(
+        "table", metavar="TABLE", nargs="?", help="a robot of the gallery, or a .toml, .csv or .urdf file"
+    )
     command.add_argument("--dh", metavar="ROWS", help='rows "alpha a d theta; ..." instead of TABLE')
     command.add_argument("--convention", choices=CONVENTIONS, help="how to read a CSV table or --dh")
     command.add_argument("--name", help="name of the robot, and of the files")
@@ -82,6 +93,19 @@ def _add_table(command: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         help="do not solve for a joint: it is an input, or held at VALUE (repeatable; instead of the file's locks)",
+    )
+    _add_reading(command)
+
+
+def _add_reading(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--base-link", metavar="LINK", help="where the chain of a URDF file begins (default: its root)"
+    )
+    command.add_argument("--tip-link", metavar="LINK", help="where it ends (default: its only leaf that moves)")
+    numbers = command.add_mutually_exclusive_group()
+    numbers.add_argument("--exact", action="store_true", help="take rounded numbers as they are: 1.5708 is not pi/2")
+    numbers.add_argument(
+        "--snap", metavar="TOL", help="read angles as multiples of 15 degrees, and lengths as 0, if off by at most TOL"
     )
 
 
@@ -120,6 +144,10 @@ def _run(options: argparse.Namespace) -> int:
                 from kinsym.command.show import show
 
                 return show(options, screen)
+            case "import":
+                from kinsym.command.importing import import_robot
+
+                return import_robot(options, screen)
             case "check":
                 from kinsym.command.check import check
 
@@ -134,14 +162,14 @@ def _run(options: argparse.Namespace) -> int:
 
 def _suggest(given: list[str]) -> None:
     """Stop at a first word that is no command, with the nearest one, or the command that a table's name lacks."""
-    commands = ("derive", "show", "robots", "check")
+    commands = ("derive", "show", "import", "robots", "check")
     if not given or given[0].startswith("-") or given[0] in commands:
         return
     from kinsym.robot import gallery
     from kinsym.robot.names import nearest, shown
 
     word = given[0]
-    if word in gallery() or word.endswith((".toml", ".csv")):
+    if word in gallery() or word.endswith((".toml", ".csv", ".urdf")):
         raise KinsymError(f"{shown(word)} is no command. Did you mean: kinsym derive {word}?")
     hint = nearest(word, commands)
     raise KinsymError(f"{shown(word)} is no command. {hint}The commands: {', '.join(commands)}.")

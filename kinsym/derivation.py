@@ -7,8 +7,8 @@ from functools import cached_property
 
 from kinsym.algebra.convert import tree_of
 from kinsym.algebra.tree import Definition
-from kinsym.inverse.families import Family, families
 from kinsym.inverse.assemble import arm_size
+from kinsym.inverse.families import Family, families
 from kinsym.inverse.locks import check_redundancy
 from kinsym.inverse.plan import Plan
 from kinsym.inverse.search import derive_plan

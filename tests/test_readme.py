@@ -42,7 +42,7 @@ def test_the_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: p
         words = [word.strip('"') for word in re.findall(r'"[^"]*"|\S+', line.split("#")[0])]
         assert words[0] == "kinsym"
         checks = ["--no-check"] if words[1] == "derive" else []
-        missing = {"my_robot.toml", "table.csv", "check"} & set(words)
+        missing = {"my_robot.toml", "table.csv", "robot.urdf", "check"} & set(words)
         assert main([*words[1:], *checks]) == (2 if missing else 0), capsys.readouterr().err
 
 

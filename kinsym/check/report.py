@@ -61,6 +61,7 @@ class Report:
     figures: Mapping[str, Any] = field(default_factory=dict)
     files: Mapping[str, str] = field(default_factory=dict)
     measured: Mapping[str, Any] = field(default_factory=dict)
+    deviation: Mapping[str, Any] | None = None
 
     @property
     def verdict(self) -> str:
@@ -92,6 +93,7 @@ class Report:
             "operations": dict(self.operations),
             "files": dict(self.files),
             "table": list(self.table),
+            **({} if self.deviation is None else {"deviation": dict(self.deviation)}),
             MEASURED: dict(self.measured),
         }
 

@@ -9,6 +9,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from kinsym import __version__
+from kinsym.check.deviation import recorded
 from kinsym.check.report import Report
 from kinsym.check.singular_set import singular_figures
 from kinsym.emit.operations import inverse_operations, line_operations
@@ -44,6 +45,7 @@ def report_of(robot: Robot, schedule: Schedule, sources: Mapping[str, str], find
         figures=findings.figures if findings else {},
         files={name: hashlib.sha256(text.encode()).hexdigest() for name, text in sources.items()},
         measured=findings.measured if findings else {},
+        deviation=None if robot.deviation is None else recorded(robot.deviation),
     )
 
 

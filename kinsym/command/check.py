@@ -5,9 +5,11 @@ from __future__ import annotations
 import argparse
 import json
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from kinsym.check.deviation import recalled
 from kinsym.check.report import FAILED, SUFFIX
 from kinsym.command.derive import say_checks, verdict
 from kinsym.command.screen import Screen
@@ -76,6 +78,7 @@ def _check_one(path: Path, screen: Screen) -> int:
 def _read(path: Path) -> tuple[Robot, dict[str, str]]:
     """The robot of a report and the digests of the files it speaks of."""
     from kinsym.robot.files import from_draft
+    from kinsym.robot.snapping import EXACT
 
     remedy = "Derive the robot again."
     try:
@@ -83,11 +86,13 @@ def _read(path: Path) -> tuple[Robot, dict[str, str]]:
         table, files = content["table"], content["files"]
         draft = tomllib.loads("\n".join(table))
         recorded = {str(name): str(digest) for name, digest in files.items()}
+        deviation = recalled(content.get("deviation"))
     except OSError as error:
         raise OutputError(f"{path} cannot be read: {error.strerror}. {remedy}") from error
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise OutputError(f"{path} is no report of kinsym: {error}. {remedy}") from error
     try:
-        return from_draft(draft, where=f"{path}, table"), recorded
+        robot = from_draft(draft, where=f"{path}, table", snapping=EXACT)
+        return replace(robot, deviation=deviation), recorded
     except KinsymError as error:
         raise OutputError(f"{path} holds no usable table: {error} {remedy}") from error

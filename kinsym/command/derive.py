@@ -7,7 +7,7 @@ from pathlib import Path
 
 from kinsym.check.report import FAILED, NOT_RUN, SUFFIX, Check, Report
 from kinsym.command.screen import Screen
-from kinsym.command.table import robot_of
+from kinsym.command.table import robot_of, say_notes
 from kinsym.write import check_place, write_set
 
 
@@ -23,6 +23,8 @@ def derive(options: argparse.Namespace, screen: Screen) -> int:
     robot = robot_of(options)
     folder = Path(options.output if options.output is not None else robot.name)
     check_place(folder, [*file_names(robot.name, options.target), robot.name + SUFFIX])
+    say_notes(robot, screen)
+    screen.flush()
     screen.stage(f"deriving {robot.name}")
     derivation = derivation_of(robot)
     screen.say(equations(derivation, width=screen.width, ascii=screen.ascii))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from kinsym.command.screen import Screen
-from kinsym.command.table import robot_of
+from kinsym.command.table import robot_of, say_notes
 
 
 def show(options: argparse.Namespace, screen: Screen) -> int:
@@ -14,5 +14,6 @@ def show(options: argparse.Namespace, screen: Screen) -> int:
     from kinsym.emit.text import equations
 
     robot = robot_of(options)
+    say_notes(robot, screen)
     screen.say(equations(derive(robot), width=screen.width, ascii=screen.ascii, full=options.full).rstrip("\n"))
     return 0

@@ -6,24 +6,30 @@ import argparse
 from dataclasses import replace
 from fractions import Fraction
 
+from kinsym.command.screen import Screen
 from kinsym.errors import KinsymError, RobotError
 from kinsym.robot.files import from_inline, load
 from kinsym.robot.locking import lock
 from kinsym.robot.model import Robot, Task
+from kinsym.robot.snapping import EXACT, ROUNDING, Snapping, snapping_of
 
 
 def robot_of(options: argparse.Namespace) -> Robot:
-    """Read TABLE or --dh with --convention, --name, --bind, --lock and --task."""
+    """Read TABLE or --dh with the options that say how."""
     if (options.table is None) == (options.dh is None):
         both = "both a table and --dh" if options.dh is not None else "no table"
         raise KinsymError(
             f"{both} given. Name a robot of the gallery or a file, or give --dh; list with: kinsym robots."
         )
     bindings = bindings_of(options.bind)
-    if options.dh is not None:
-        robot = from_inline(options.dh, convention=options.convention, name=options.name, bindings=bindings)
+    snapping = snapping_from(options)
+    common = {"convention": options.convention, "name": options.name, "bindings": bindings, "snapping": snapping}
+    if options.dh is None:
+        robot = load(options.table, base_link=options.base_link, tip_link=options.tip_link, **common)
+    elif options.base_link is None and options.tip_link is None:
+        robot = from_inline(options.dh, **common)
     else:
-        robot = load(options.table, convention=options.convention, name=options.name, bindings=bindings)
+        raise KinsymError("--dh has no links. Leave out --base-link and --tip-link.")
     if options.lock:
         robot = lock(robot, locks_of(options.lock), where="--lock")
     return replace(robot, task=Task(options.task)) if options.task else robot
@@ -48,6 +54,19 @@ def locks_of(texts: list[str]) -> dict[str, str | None]:
             raise RobotError(f"{name} is locked twice", where="--lock", remedy="Lock each joint once.")
         values[name] = value or None
     return values
+
+
+def snapping_from(options: argparse.Namespace) -> Snapping:
+    """The policy of --exact and --snap; the usual one without them."""
+    if options.exact:
+        return EXACT
+    return ROUNDING if options.snap is None else snapping_of(options.snap)
+
+
+def say_notes(robot: Robot, screen: Screen) -> None:
+    """What was read otherwise than written, and what looks like a slip."""
+    if robot.notes:
+        screen.say("\n".join(("Notes", "-----", *(f"  {note}" for note in robot.notes), "")))
 
 
 def bindings_of(texts: list[str]) -> dict[str, Fraction]:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from kinsym.robot.expressions import number, parse, symbol
     from kinsym.robot.files import from_inline, load
     from kinsym.robot.locking import lock
+    from kinsym.robot.nearby import nominal
     from kinsym.robot.summary import digest, table_lines, to_toml
 
 __all__ = [
@@ -31,6 +32,7 @@ __all__ = [
     "gallery_titles",
     "load",
     "lock",
+    "nominal",
     "number",
     "parse",
     "symbol",
@@ -44,6 +46,7 @@ _LAZY = {
     "from_inline": "kinsym.robot.files",
     "load": "kinsym.robot.files",
     "lock": "kinsym.robot.locking",
+    "nominal": "kinsym.robot.nearby",
     "number": "kinsym.robot.expressions",
     "parse": "kinsym.robot.expressions",
     "symbol": "kinsym.robot.expressions",

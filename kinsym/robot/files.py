@@ -14,25 +14,24 @@ from decimal import Decimal, InvalidOperation
 from fractions import Fraction
 from pathlib import Path
 
-from sympy import Expr
-
 from kinsym.errors import RobotError
-from kinsym.robot.advice import exact_angle, exact_angles
+from kinsym.robot.advice import advised
 from kinsym.robot.binding import bind, fold_zeros, used_parameters
 from kinsym.robot.catalogue import gallery, gallery_path
 from kinsym.robot.dh_text import rows_from_csv, rows_from_inline
-from kinsym.robot.expressions import is_zero, number, parse
+from kinsym.robot.expressions import number
+from kinsym.robot.fixed import check_rigid, read_home, read_transform, table_under
 from kinsym.robot.locking import INPUT, lock
-from kinsym.robot.model import Convention, Home, Matrix, Robot, Task, Vector
+from kinsym.robot.model import Change, Convention, Robot, Task
 from kinsym.robot.names import check_robot_name, nearest, shown
 from kinsym.robot.reading import read_text
-from kinsym.robot.rigid import check_rotation, from_rpy, transform
-from kinsym.robot.rows import check_keys, read_rows, read_vector
+from kinsym.robot.rows import check_keys, read_rows
+from kinsym.robot.snapping import EXACT, ROUNDING, Snapping
+from kinsym.robot.special import special
 
 KEYS = ("name", "title", "convention", "task", "joints", "home", "parameters", "base", "tool", "locks", "source")
-HOME_KEYS = ("u0", "v0", "w0", "q0", "p0")
-TRANSFORM_KEYS = ("xyz", "rpy", "matrix")
 LONGEST_LINE = 500
+URDF_SUFFIX = ".urdf"
 
 _NO_BINDINGS: Mapping[str, Fraction] = {}
 
@@ -43,17 +42,33 @@ def load(
     convention: str | None = None,
     name: str | None = None,
     bindings: Mapping[str, Fraction] = _NO_BINDINGS,
+    base_link: str | None = None,
+    tip_link: str | None = None,
+    snapping: Snapping = ROUNDING,
 ) -> Robot:
-    """The robot of a gallery name or of a file (.toml, .csv).
+    """The robot of a gallery name or of a file (.toml, .csv, .urdf).
 
     ``convention`` says how to read a CSV table and ``name`` replaces the robot's name. ``bindings`` are folded in
-    (:func:`kinsym.robot.bind`) before the file's own values count. Raises RobotError.
+    (:func:`kinsym.robot.bind`) before the file's own values count. ``base_link`` and ``tip_link`` pick the chain of
+    a URDF file (:func:`kinsym.robot.urdf.from_urdf`). ``snapping`` says which numbers are read as special values
+    (:mod:`kinsym.robot.snapping`). Raises RobotError.
 
     >>> load("stanford_paul").variables
     ('theta1', 'theta2', 'd3', 'theta4', 'theta5', 'theta6')
     """
     path = _find(source)
     source = source if source.isprintable() else ascii(source)
+    if path.suffix.lower() == URDF_SUFFIX:
+        from kinsym.robot.urdf import from_urdf
+
+        if convention is not None:
+            raise RobotError("a URDF file has no convention", where=source, remedy="Leave out --convention.")
+        robot = from_urdf(path, base_link=base_link, tip_link=tip_link, name=name, snapping=snapping, shown_as=source)
+        return fold_zeros(bind(robot, bindings))
+    if base_link is not None or tip_link is not None:
+        raise RobotError(
+            "only a URDF file has links", where=source, remedy="Leave out --base-link and --tip-link, or name a .urdf."
+        )
     text = read_text(path, shown_as=source)
     if path.suffix.lower() == ".csv":
         default = name if name is not None else path.stem
@@ -71,7 +86,7 @@ def load(
             draft["convention"] = convention
         if name is not None:
             draft["name"] = name
-    return from_draft(draft, where=source, bindings=bindings)
+    return from_draft(draft, where=source, bindings=bindings, snapping=snapping)
 
 
 def from_inline(
@@ -80,6 +95,7 @@ def from_inline(
     convention: str | None,
     name: str | None = None,
     bindings: Mapping[str, Fraction] = _NO_BINDINGS,
+    snapping: Snapping = ROUNDING,
 ) -> Robot:
     """The robot of a table in one line: rows ``alpha a d theta``, parted by semicolons.
 
@@ -94,10 +110,16 @@ def from_inline(
         "convention": _needed_convention(convention, "--dh"),
         "joints": rows_from_inline(text, where="--dh"),
     }
-    return from_draft(draft, where="--dh", bindings=bindings)
+    return from_draft(draft, where="--dh", bindings=bindings, snapping=snapping)
 
 
-def from_draft(draft: Mapping[str, object], *, where: str, bindings: Mapping[str, Fraction] = _NO_BINDINGS) -> Robot:
+def from_draft(
+    draft: Mapping[str, object],
+    *,
+    where: str,
+    bindings: Mapping[str, Fraction] = _NO_BINDINGS,
+    snapping: Snapping = ROUNDING,
+) -> Robot:
     """The robot of a mapping with the keys of a robot file; ``where`` names its source in messages."""
     check_keys(draft, KEYS, where=where)
     for key in ("name", "convention", "joints"):
@@ -105,20 +127,17 @@ def from_draft(draft: Mapping[str, object], *, where: str, bindings: Mapping[str
             raise RobotError(f"the key {key} is missing", where=where, remedy=f"Add {_EXAMPLES[key]}.")
     name = check_robot_name(_line(draft, "name", where), where=f"{where}, name")
     convention = _convention(_line(draft, "convention", where), where)
-    joints = read_rows(draft["joints"], convention, where=where)
-    notes: list[str] = []
+    changes: list[Change] = []
     robot = Robot(
         name=name,
         title=_line(draft, "title", where) or name,
         convention=convention,
-        joints=joints,
+        joints=(),
         task=_task(draft, where),
-        home=_home(draft, convention, where),
-        base=_transform(draft, "base", where, notes),
-        tool=_transform(draft, "tool", where, notes),
         source=_line(draft, "source", where),
-        notes=tuple(notes),
     )
+    robot, written = _with_table(robot, draft, where, snapping, changes), robot
+    check_rigid(robot, where)
     values = _parameter_values(draft, where)
     used = used_parameters(robot, where=where)
     for given in values:
@@ -129,8 +148,25 @@ def from_draft(draft: Mapping[str, object], *, where: str, bindings: Mapping[str
                 where=f"{where}, [parameters] {shown(given)[1:-1]}",
                 remedy=f"{nearest(given, used)}The parameters of the table: {', '.join(used) or 'none'}.",
             )
-    robot = replace(robot, parameters={parameter: values.get(parameter) for parameter in used})
-    return _locked(exact_angles(fold_zeros(bind(robot, bindings))), draft, where)
+    parameters = {parameter: values.get(parameter) for parameter in used}
+    written = _with_table(written, draft, where, EXACT, []) if changes else robot
+    robot, written = (fold_zeros(bind(replace(either, parameters=parameters), bindings)) for either in (robot, written))
+    robot = special(robot, snapping, written=written, earlier=tuple(changes))
+    robot = replace(robot, notes=(*robot.notes, *advised(robot)))
+    return _locked(robot, draft, where)
+
+
+def _with_table(
+    robot: Robot, draft: Mapping[str, object], where: str, snapping: Snapping, changes: list[Change]
+) -> Robot:
+    """The robot with rows, home frame, base and tool; whether they are rigid is not checked yet."""
+    return replace(
+        robot,
+        joints=read_rows(draft["joints"], robot.convention, where=where, snapping=snapping, changes=changes),
+        home=read_home(draft, robot.convention, where, snapping, changes),
+        base=read_transform(draft, "base", where, snapping, changes),
+        tool=read_transform(draft, "tool", where, snapping, changes),
+    )
 
 
 _EXAMPLES = {
@@ -144,16 +180,20 @@ def _find(source: str) -> Path:
     if source in gallery():
         return gallery_path(source)
     path = Path(source)
-    if path.suffix.lower() in {".toml", ".csv"}:
+    if path.suffix.lower() in {".toml", ".csv", URDF_SUFFIX}:
         return path
+    if path.suffix.lower() == ".xacro":
+        raise RobotError(
+            "this is xacro, from which URDF is made", where=shown(source), remedy="Run: xacro FILE > robot.urdf."
+        )
     if re.search(r"[/\\.]", source):
         raise RobotError(
-            f"{shown(source)} is neither a robot of the gallery nor a .toml or .csv file",
-            remedy="Name a file that ends in .toml or .csv.",
+            f"{shown(source)} is neither a robot of the gallery nor a .toml, .csv or .urdf file",
+            remedy="Name a file that ends in .toml, .csv or .urdf.",
         )
     raise RobotError(
         f"the gallery has no robot {shown(source)}",
-        remedy=f"{nearest(source, gallery())}List the gallery with kinsym robots, or name a .toml or .csv file.",
+        remedy=f"{nearest(source, gallery())}List the gallery with kinsym robots, or name a .toml, .csv or .urdf file.",
     )
 
 
@@ -229,80 +269,12 @@ def _task(draft: Mapping[str, object], where: str) -> Task | None:
         ) from None
 
 
-def _table(draft: Mapping[str, object], key: str, where: str) -> dict[str, object]:
-    table = draft.get(key, {})
-    if not isinstance(table, dict):
-        raise RobotError(f"{key} is not a table", where=where, remedy=f"Begin it with a line [{key}].")
-    return table
-
-
-def _home(draft: Mapping[str, object], convention: Convention, where: str) -> Home | None:
-    if convention is not Convention.SCREW:
-        if "home" in draft:
-            raise RobotError(
-                "a Denavit-Hartenberg table has no home frame",
-                where=f"{where}, [home]",
-                remedy='Leave it out, or use [tool]; [home] belongs to convention = "screw".',
-            )
-        return None
-    table = _table(draft, "home", where)
-    # p0, the wrist point of the lecture's tables, follows from the axes and is not needed.
-    check_keys(table, HOME_KEYS, where=f"{where}, [home]")
-    vectors = {}
-    for key in HOME_KEYS[:4]:
-        if key not in table:
-            raise RobotError(
-                f"the home frame lacks {key}",
-                where=f"{where}, [home]",
-                remedy="A table of screws needs u0, v0, w0 (axes) and q0 (origin) of the end effector at home.",
-            )
-        vectors[key] = read_vector(table[key], where=f"{where}, [home] {key}")
-    home = Home(**vectors)
-    check_rotation((home.u0, home.v0, home.w0), what="the home frame", where=f"{where}, [home]")
-    return home
-
-
-def _transform(draft: Mapping[str, object], key: str, where: str, notes: list[str]) -> Matrix | None:
-    if key not in draft:
-        return None
-    place = f"{where}, [{key}]"
-    table = _table(draft, key, where)
-    check_keys(table, TRANSFORM_KEYS, where=place)
-    if "matrix" in table:
-        if len(table) > 1:
-            raise RobotError("matrix stands beside xyz or rpy", where=place, remedy="Give one of them.")
-        return _matrix(table["matrix"], f"{place} matrix")
-    if not table:
-        raise RobotError("the transform is empty", where=place, remedy="Give xyz and rpy, or matrix.")
-    origin = read_vector(table.get("xyz", [0, 0, 0]), where=f"{place} xyz")
-    angles = [exact_angle(cell) for cell in read_vector(table.get("rpy", [0, 0, 0]), where=f"{place} rpy")]
-    notes += [f"[{key}] rpy: {note}." for _, note in angles if note]
-    (roll, _), (pitch, _), (yaw, _) = angles
-    return transform(from_rpy(roll, pitch, yaw, where=f"{place} rpy"), origin)
-
-
-def _matrix(rows: object, where: str) -> Matrix:
-    if not isinstance(rows, list) or [len(row) if isinstance(row, list) else 0 for row in rows] != [4] * 4:
-        raise RobotError("the matrix is not 4x4", where=where, remedy="Write four rows of four cells.")
-    cells: list[list[Expr]] = [
-        [parse(cell, where=f"{where}[{i}][{j}]") for j, cell in enumerate(row)] for i, row in enumerate(rows)
-    ]
-    if not all(is_zero(cell - expected) for cell, expected in zip(cells[3], (0, 0, 0, 1), strict=True)):
-        raise RobotError("the last row is not 0 0 0 1", where=where, remedy="Give a rigid transform, row by row.")
-
-    def column(j: int) -> Vector:
-        return cells[0][j], cells[1][j], cells[2][j]
-
-    check_rotation((column(0), column(1), column(2)), what="the rotation of the transform", where=where)
-    return transform((column(0), column(1), column(2)), column(3))
-
-
 def _parameter_values(draft: Mapping[str, object], where: str) -> dict[str, Fraction]:
-    table = _table(draft, "parameters", where)
+    table = table_under(draft, "parameters", where)
     return {name: number(value, where=f"{where}, [parameters] {shown(name)[1:-1]}") for name, value in table.items()}
 
 
 def _locked(robot: Robot, draft: Mapping[str, object], where: str) -> Robot:
-    table = _table(draft, "locks", where)
+    table = table_under(draft, "locks", where)
     values = {name: None if value == INPUT else value for name, value in table.items()}
     return lock(robot, values, where=f"{where}, [locks]") if values else robot

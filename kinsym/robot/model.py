@@ -69,6 +69,44 @@ class Home:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Change:
+    """One number that is read as a special value: where it stands, both as text, and by how much they differ.
+
+    ``difference`` is in radians for an angle and in the table's unit for a length.
+    """
+
+    where: str
+    written: str
+    read_as: str
+    difference: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Deviation:
+    """How far the table is from the numbers it was read from.
+
+    ``position`` and ``rotation`` are the largest difference of the forward kinematics over sampled joint vectors, in
+    the table's unit of length and in radians. A conversion without changes still has one: cells are decimals.
+    """
+
+    changes: tuple[Change, ...]
+    position: float
+    rotation: float
+
+    def sentence(self) -> str:
+        """The deviation in words."""
+        count = len(self.changes)
+        values = "a special value" if count == 1 else "special values"
+        numbers = f"{count} number{'s' * (count != 1)} read as {values}" if count else "no number changed"
+        if self.position == self.rotation == 0:
+            return f"{numbers}; the forward kinematics is that of the numbers as written."
+        return (
+            f"{numbers}; the forward kinematics differs from the numbers as written by at most "
+            f"{self.position:.1e} in position and {self.rotation:.1e} rad."
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
 class Robot:
     """A serial robot.
 
@@ -76,6 +114,7 @@ class Robot:
     ``base`` and ``tool`` are 4x4 matrices or None. ``task`` is None when the user leaves the choice to kinsym.
     ``locks`` holds the joints that the inverse kinematics does not solve for, in their order: each with the value that
     it is held at (radians or length), or None where the caller of the solver gives it.
+    ``deviation`` says what was read otherwise than written, None if nothing was.
     """
 
     name: str
@@ -90,6 +129,7 @@ class Robot:
     locks: dict[str, Expr | None] = field(default_factory=dict)
     source: str = ""
     notes: tuple[str, ...] = ()
+    deviation: Deviation | None = None
 
     @property
     def moving(self) -> tuple[Joint, ...]:

@@ -9,8 +9,8 @@ from kinsym.errors import RobotError
 LARGEST_FILE = 1 << 20
 
 
-def read_text(path: Path, *, shown_as: str) -> str:
-    """The text of a UTF-8 file of at most 1 MiB.
+def read_text(path: Path, *, shown_as: str, largest: int = LARGEST_FILE) -> str:
+    """The text of a UTF-8 file of at most ``largest`` bytes (1 MiB).
 
     ``shown_as`` is how messages name it. Raises RobotError for what is missing, unreadable, no regular file (a
     pipe would wait for ever), too large, binary or not UTF-8.
@@ -19,18 +19,20 @@ def read_text(path: Path, *, shown_as: str) -> str:
         if not path.exists():
             raise RobotError("there is no such file", where=shown_as, remedy="Check the path.")
         if not path.is_file():
-            raise RobotError("this is not a regular file", where=shown_as, remedy="Name a .toml or .csv file.")
+            raise RobotError("this is not a regular file", where=shown_as, remedy="Name a .toml, .csv or .urdf file.")
         with path.open("rb") as file:
-            data = file.read(LARGEST_FILE + 1)
+            data = file.read(largest + 1)
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
         raise RobotError(
             f"the file cannot be read ({reason})", where=shown_as, remedy="Check its name and permissions."
         ) from None
-    if len(data) > LARGEST_FILE:
-        raise RobotError("the file is larger than 1 MiB", where=shown_as, remedy="A robot needs a few lines.")
+    if len(data) > largest:
+        raise RobotError(
+            f"the file is larger than {largest >> 20} MiB", where=shown_as, remedy="A robot needs a few lines."
+        )
     if b"\0" in data:
-        raise RobotError("the file is binary", where=shown_as, remedy="Name a text file in TOML or CSV.")
+        raise RobotError("the file is binary", where=shown_as, remedy="Name a text file in TOML, CSV or URDF.")
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:

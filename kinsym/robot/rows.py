@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import sympy
@@ -16,9 +16,9 @@ from sympy import Expr, Integer
 
 from kinsym.errors import RobotError
 from kinsym.robot.expressions import names, number, parse, symbol
-from kinsym.robot.model import Convention, Joint, Vector
+from kinsym.robot.model import Change, Convention, Joint, Vector
 from kinsym.robot.names import check_variable, nearest, shown
-from kinsym.robot.rigid import check_direction
+from kinsym.robot.snapping import Snapping
 
 COLUMNS = ("alpha", "a", "d", "theta")
 SCREW_COLUMNS = ("s", "s0")
@@ -50,11 +50,13 @@ def read_vector(cells: object, *, where: str) -> Vector:
     return x, y, z
 
 
-def read_rows(rows: object, convention: Convention, *, where: str) -> tuple[Joint, ...]:
+def read_rows(
+    rows: object, convention: Convention, *, where: str, snapping: Snapping, changes: list[Change]
+) -> tuple[Joint, ...]:
     """The joints of a table.
 
-    ``rows`` is the list of mappings that a file holds under ``joints``; ``where`` is the file's name. Raises
-    RobotError with row and column.
+    ``rows`` is the list of mappings that a file holds under ``joints``; ``where`` is the file's name. Directions of
+    screws are read under ``snapping``, which adds to ``changes``. Raises RobotError with row and column.
     """
     if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
         raise RobotError("joints is not an array of tables", where=where, remedy="Write one [[joints]] for each row.")
@@ -65,7 +67,12 @@ def read_rows(rows: object, convention: Convention, *, where: str) -> tuple[Join
     joints: list[Joint] = []
     for i, row in enumerate(rows, start=1):
         default = 1 + sum(joint.variable is not None for joint in joints)
-        joints.append(_Row(row, convention, default, f"{where}, joints row {i}").joint())
+        joint = _Row(row, convention, default, f"{where}, joints row {i}").joint()
+        if joint.s is not None:
+            s, change = snapping.direction(joint.s, where=f"row {i}, s")
+            changes += [change] if change else []
+            joint = replace(joint, s=s)
+        joints.append(joint)
     _check_variables(joints, where)
     moving = sum(joint.variable is not None for joint in joints)
     if moving == 0:
@@ -148,7 +155,6 @@ class _Row:
                 "a table of screws has no fixed rows", where=f"{self.where}, type", remedy="Put it into [home]."
             )
         s = read_vector(self.cell("s"), where=f"{self.where}, s")
-        check_direction(s, where=f"{self.where}, s")
         # A prismatic screw has no place, only a direction.
         origin = self.cells.get("s0", [0, 0, 0]) if kind == "P" else self.cell("s0")
         s0 = read_vector(origin, where=f"{self.where}, s0")

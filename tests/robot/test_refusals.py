@@ -199,7 +199,7 @@ CASES: dict[str, Case] = {
         "Reverse one axis",
     ),
     "home off by rounding": (
-        screws("home", "u0", to=["0.9999", 0, 0]),
+        screws("home", "u0", to=["0.999", 0, 0]),
         "arm.toml, [home]",
         "not orthonormal",
         "exact numbers",
@@ -207,9 +207,9 @@ CASES: dict[str, Case] = {
     "home lacks an axis": (screws("home", "w0", drop=True), "arm.toml, [home]", "lacks w0", "u0, v0, w0"),
     "symbolic home": (screws("home", "u0", to=["b", 0, 0]), "arm.toml, [home]", "depends on b", "numbers here"),
     "screw axis not unit": (
-        screws("joints", 0, "s", to=["0.7071", "0.7071", 0]),
+        screws("joints", 0, "s", to=["0.707", "0.707", 0]),
         "arm.toml, joints row 1, s",
-        "not a unit vector: its length is 0.99999041",
+        "not a unit vector: its length is 0.999848989",
         "sqrt(2)/2",
     ),
     "screw axis zero": (

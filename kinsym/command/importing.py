@@ -1,0 +1,49 @@
+"""``kinsym import``: a chain of a URDF file as a robot file, with how far it is from what it was read from."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from kinsym import __version__
+from kinsym.command.screen import Screen
+from kinsym.command.table import say_notes, snapping_from
+from kinsym.errors import OutputError, RobotError
+from kinsym.robot.files import URDF_SUFFIX, load
+from kinsym.robot.model import Robot
+from kinsym.robot.names import shown
+from kinsym.robot.summary import to_toml
+from kinsym.write import write_set
+
+
+def import_robot(options: argparse.Namespace, screen: Screen) -> int:
+    """Convert, say what was changed, write; a file that is there is replaced only if ``--output`` names it."""
+    if not options.file.lower().endswith(URDF_SUFFIX):
+        raise RobotError(
+            f"{shown(options.file)} is no .urdf file", remedy="Name one; a .toml or .csv table needs no import."
+        )
+    robot = load(
+        options.file,
+        name=options.name,
+        base_link=options.base_link,
+        tip_link=options.tip_link,
+        snapping=snapping_from(options),
+    )
+    target = Path(f"{robot.name}.toml" if options.output is None else options.output)
+    if options.output is None and target.exists():
+        raise OutputError(f"{target} is there already. Name a file with --output; that one is then replaced.")
+    say_notes(robot, screen)
+    paths = write_set(target.parent, {target.name: robot_file(robot)})
+    screen.say(f"Written\n-------\n  {paths[0]}")
+    return 0
+
+
+def robot_file(robot: Robot) -> str:
+    """The text of a robot file whose head tells where the robot comes from and what was changed.
+
+    >>> from kinsym.robot import load
+    >>> print(robot_file(load("planar_rr")).splitlines()[1])
+    name = "planar_rr"
+    """
+    head = [f"Read by kinsym {__version__} from {robot.source}" if robot.source else f"Written by kinsym {__version__}"]
+    return "".join(f"# {line}\n" for line in (*head, *robot.notes)) + to_toml(robot)
