@@ -40,7 +40,8 @@ _FUNCTIONS = frozenset(
 _GENERATED = frozenset(
     """T q p R J G M N S I i j k m n np numpy math tau size delta defect reference zeros parameters valid real out pose
     count fk ik ik_batch ik_near ik_sweep jacobian self all_finite angle_of sign_of read_pose reaches usable isfinite
-    isnan direction homogeneous homogeneous2 linear quadratic quartic quotient quotient_length triangle linux unix
+    isnan NEAR mark marks doubtful settle polish distance tidied special slopes step solutions given free border apart
+    branch direction homogeneous homogeneous2 linear quadratic quartic quotient quotient_length triangle linux unix
     NAME TITLE JOINTS JOINT_TYPES PARAMETERS MAX_SOLUTIONS TASK LOCKED""".split()
 )
 _PATTERNS = (
@@ -49,12 +50,12 @@ _PATTERNS = (
     (re.compile(r"[cs](alpha|theta)\w*"), "such names are cosines and sines of angles"),
     (re.compile(r"[uvwpzo]\d*_[xyz]|oE_[xyz]"), "such names are entries of poses and axes"),
     (re.compile(r"(kappa|lambda|mu|nu|gamma)\d+|const\d+"), "such names are coefficients of the derivation"),
-    (re.compile(r"[in]\d+|real\d+|\w+_roots"), "such names count branches"),
+    (re.compile(r"[in]\d+|(real|mark)\d+|\w+_roots"), "such names count branches"),
     (re.compile(r"[hkw]_\d+(m\d+)*"), "such names are quantities of the derivation"),
     (re.compile(r"A\d+|T_\d+_\d+"), "such names are link transforms and poses"),
     (re.compile(r"(base|end)_[uvwp][xyz]"), "such names are entries of the base and of the last link with the tool"),
     (re.compile(r"solve_\w+"), "such names are functions of the generated source"),
-    (re.compile(r"(M|DBL|FLT|FP|INT|UINT|SIZE)_\w+"), "such names are constants of C"),
+    (re.compile(r"(M|DBL|FLT|FP|INT|UINT|SIZE|IS)_\w+"), "such names are constants of C"),
 )
 _WINDOWS_DEVICES = frozenset(
     ["con", "prn", "aux", "nul", *(f"com{n}" for n in range(10)), *(f"lpt{n}" for n in range(10))]

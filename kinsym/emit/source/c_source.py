@@ -16,6 +16,7 @@ from kinsym.emit.environment import render
 from kinsym.emit.printer import Printer, decimal
 from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.banner import banner, c_comment
+from kinsym.emit.source.marks import c_marks
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import kernels_used
 from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
@@ -42,24 +43,27 @@ class CPrinter(Printer):
 
 def c_source(schedule: Schedule) -> dict[str, str]:
     """The header and the source of a robot, by file name."""
-    inverse = inverse_needs(schedule)
+    inverse, gate = inverse_needs(schedule), gate_entries(schedule.task)
     printer = CPrinter()
+    statements = inverse_views(schedule, inverse, printer)
+    marking = c_marks(schedule, statements)
     names: dict[str, Any] = {
+        **marking,
         "name": schedule.name,
         "macro": schedule.name.upper(),
         "schedule": schedule,
         "complete": all(parameter.value is not None for parameter in schedule.parameters),
         "fields": [*(parameter.name for parameter in schedule.parameters), *schedule.inputs],
-        "heads": _heads(schedule),
+        "heads": _heads(schedule, marking["ending"]),
         "usable": _usable(schedule),
         "banner": [c_comment(line) for line in banner(schedule)],
         "singular": [c_comment(line) for line in singular_lines(schedule)],
         "inverse": inverse,
-        "statements": inverse_views(schedule, inverse, printer),
+        "statements": statements,
         "entries": _entries(inverse),
         "kernels": kernels_used(inverse.statements),
         "functions": functions_used(schedule),
-        "gate": gate_entries(schedule.task),
+        "gate": gate,
         "index": {name: 4 * row + column for name, (row, column) in ENTRIES.items()},
         "fk": line_needs(schedule, schedule.forward),
         "jacobian": line_needs(schedule, schedule.jacobian),
@@ -89,14 +93,25 @@ class RootsCall:
 def roots_call(call: KernelCall) -> RootsCall:
     """The C form of a call. Results that differ between the roots are arrays of them, the others pointers."""
     pairs = [(output, output.rooted and call.branch is not None) for output in call.outputs]
-    arguments = [*call.arguments, *(f"{item.name}_roots" if many else f"&{item.name}" for item, many in pairs)]
+    loose = [] if call.loose is None else [_loose(call.loose)]
+    results = [f"{item.name}_roots" if many else f"&{item.name}" for item, many in pairs]
+    marks = [] if call.branch is None else [f"{call.mark}_roots"]
     return RootsCall(
         results=", ".join(f"{item.name}_roots[{call.roots}]" if many else item.name for item, many in pairs),
-        text=f"solve_{call.rule}({', '.join(arguments)})",
+        text=f"solve_{call.rule}({', '.join([*call.arguments, *loose, *results, *marks])})",
         roots=", ".join(
             f"{item.name} = {item.name}_roots[i{call.branch}]" for item, many in pairs if many and item.used
         ),
     )
+
+
+def _loose(marks: tuple[str, ...]) -> str:
+    """Whether a step before was special.
+
+    >>> _loose(("mark1", "mark2")), _loose(())
+    ('mark1 | mark2', '0')
+    """
+    return " | ".join(marks) or "0"
 
 
 def code(text: str, depth: int) -> str:
@@ -113,11 +128,14 @@ def comment(text: str, depth: int) -> str:
     return "\n".join([f"{indent}/* {first}", *(f"{indent} * {line}" for line in others)]) + " */"
 
 
-def _heads(schedule: Schedule) -> dict[str, Any]:
+def _heads(schedule: Schedule, twins: bool) -> dict[str, Any]:
     """The functions as they are declared."""
     name, joints = schedule.name, f"{schedule.name.upper()}_JOINTS"
     vector, parameters, solutions = f"const double q[{joints}]", f"const {name}_params *p", f"double q[][{joints}]"
+    ending = f"{name}_mark marks[], int doubtful[], unsigned twin, " if twins else ""
     size = ", double size" if gate_entries(schedule.task).position else ""
+    pose, slopes = f"{parameters}, const double M[12], double size", f"D[ENTRIES][{joints}]"
+    sliding = ", double size" if any(joint.kind == "P" for joint in schedule.joints) else ""
     return {
         "fk": f"void {name}_fk({vector}, {parameters}, double T[16])",
         "jacobian": f"void {name}_jacobian({vector}, {parameters}, double J[6 * {joints}])",
@@ -129,6 +147,16 @@ def _heads(schedule: Schedule) -> dict[str, Any]:
             f"const double values[], int steps, {solutions}, int counts[])"
             for joint in schedule.inputs
         },
+        "ik_marked": f"int {name}_ik_marked(const double T[16], {parameters}, "
+        f"const double reference[{joints}], {solutions}, {name}_mark marks[])",
+        "distance": f"static double distance({vector}, {pose}, double e[ENTRIES])",
+        "slopes": f"static void slopes({vector}, {parameters}, double size, double {slopes})",
+        "step": f"static void step(double {slopes}, const double e[ENTRIES], double damping, double g[{joints}])",
+        "polish": f"static double polish(double q[{joints}], {pose})",
+        "settle": f"static int settle({solutions}, {ending}int mark, {parameters}, const double M[12], "
+        "double tau, double size)",
+        "tidied": f"static int tidied({solutions}, {name}_mark marks[], const int doubtful[], "
+        f"int count{sliding})",
         "reaches": f"static int reaches({vector}, {parameters}, const double M[12], double tau{size})",
     }
 

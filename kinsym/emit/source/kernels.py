@@ -18,7 +18,9 @@ class Kernel:
     """The signature of one kernel.
 
     ``outputs`` pairs each output's name with whether it differs between the roots. ``plain`` kernels only
-    assign their inputs to their outputs and need no helper.
+    assign their inputs to their outputs and need no helper; the others also tell a mark of each root: free, on a
+    border, next to one of these (soft), or in doubt. ``ends`` tells that a branch can end here for lack of a real root; such a kernel
+    is told whether a step before it was free (``loose``), for then a root in doubt may become real when that moves.
     """
 
     inputs: tuple[str, ...]
@@ -26,6 +28,7 @@ class Kernel:
     free: bool
     branches: int
     plain: bool = False
+    ends: bool = False
 
 
 ANGLE = (("c", True), ("s", True))
@@ -39,20 +42,22 @@ KERNELS = {
     "quotient_length": Kernel(inputs=("n", "d", "t"), outputs=(("d", True),), free=True, branches=1),
     "homogeneous": Kernel(inputs=("a", "b", "t"), outputs=ANGLE, free=True, branches=2),
     "homogeneous2": Kernel(inputs=("a", "b", "t", "a_alt", "b_alt", "t_alt"), outputs=ANGLE, free=True, branches=2),
-    "linear": Kernel(inputs=("a", "b", "e", "t"), outputs=ANGLE, free=True, branches=2),
+    "linear": Kernel(inputs=("a", "b", "e", "t"), outputs=ANGLE, free=True, branches=2, ends=True),
     "triangle": Kernel(
         inputs=("x", "y", "l1", "l2", "t"),
         outputs=(("k", False), ("w", True), ("along", False)),
         free=False,
         branches=2,
+        ends=True,
     ),
     "direction": Kernel(inputs=("x", "y", "along", "across", "t"), outputs=ANGLE, free=True, branches=1),
-    "quadratic": Kernel(inputs=("b", "c", "t"), outputs=(("d", True),), free=False, branches=2),
+    "quadratic": Kernel(inputs=("b", "c", "t"), outputs=(("d", True),), free=False, branches=2, ends=True),
     "quartic": Kernel(
         inputs=(*_FOUR_LINES, *(f"{name}2" for name in _FOUR_LINES)),
         outputs=ANGLE,
         free=True,
         branches=4,
+        ends=True,
     ),
 }
 

@@ -58,6 +58,11 @@ class InverseNeeds(Needs):
         return "tau" in self.names
 
     @property
+    def marked(self) -> bool:
+        """Whether a step can mark a solution as special."""
+        return _marks(self.statements)
+
+    @property
     def reference(self) -> bool:
         """Whether a joint can be free."""
         return any(
@@ -74,10 +79,12 @@ def line_needs(schedule: Schedule, line: StraightLine) -> LineNeeds:
 
 
 def inverse_needs(schedule: Schedule) -> InverseNeeds:
-    """The needs of the inverse kinematics; a gate reads the tolerances as well."""
+    """The needs of the inverse kinematics; a gate and marked solutions read the tolerances as well."""
     names = set(schedule.solution)
     if schedule.gate:
         names |= {"tau", "size"} if gate_entries(schedule.task).position else {"tau"}
+    if _marks(schedule.inverse):
+        names |= {"tau", "size"}
     kept: list[Statement] = []
     for statement in reversed(schedule.inverse):
         if isinstance(statement, Assign):
@@ -113,7 +120,12 @@ def functions_used(schedule: Schedule) -> frozenset[str]:
             trees.append(statement.value)
         elif isinstance(statement, Solve):
             trees += statement.step.inputs.values()
-    return frozenset(name for tree in trees for name in _functions(tree))
+    functions = {name for tree in trees for name in _functions(tree)}
+    return frozenset(functions | {"wrap"} if inverse.marked else functions)
+
+
+def _marks(statements: Iterable[Statement]) -> bool:
+    return any(isinstance(item, Solve) and not KERNELS[item.step.rule].plain for item in statements)
 
 
 def _functions(tree: Tree) -> Iterator[str]:

@@ -16,6 +16,7 @@ from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.banner import banner, python_comment, python_docstring, python_string
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import ANGLE, KERNELS, kernels_used
+from kinsym.emit.source.marks import numpy_marks
 from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
@@ -42,7 +43,9 @@ def numpy_source(schedule: Schedule) -> dict[str, str]:
     """The module of a robot, by file name."""
     inverse = inverse_needs(schedule)
     printer = NumpyPrinter()
+    statements = inverse_views(schedule, inverse, printer)
     names = {
+        **numpy_marks(schedule, statements),
         "schedule": schedule,
         "joints": len(schedule.joints),
         "solutions": schedule.maximum,
@@ -53,7 +56,7 @@ def numpy_source(schedule: Schedule) -> dict[str, str]:
         "poses": _entries("T", schedule.forward.outputs, 4, printer),
         "jacobians": _entries("J", schedule.jacobian.outputs, len(schedule.joints), printer),
         "inverse": inverse,
-        "statements": inverse_views(schedule, inverse, printer),
+        "statements": statements,
         "functions": functions_used(schedule),
         "gate": gate_entries(schedule.task),
         "place": ENTRIES,
@@ -96,13 +99,16 @@ def _signatures(schedule: Schedule, inverse: InverseNeeds) -> dict[str, Any]:
         parameter.name if parameter.value is None else f"{parameter.name}={decimal(parameter.value)}"
         for parameter in schedule.parameters
     ]
-    solving = every if schedule.gate else [parameter.name for parameter in inverse.parameters]
+    solving = every if schedule.gate or inverse.marked else [parameter.name for parameter in inverse.parameters]
     arguments = ["M", *(["defect"] if inverse.tau else []), *(["reference"] if inverse.reference else [])]
     passed, locked = ([f"{name}={name}" for name in names] for names in (every, schedule.inputs))
     return {
         "passed": passed,
         "locked": locked,
         "given": "".join(f", {name}=..." for name in schedule.inputs),
+        "handed": ", given" if every else "",
+        "handed_here": f", dict({', '.join(passed)})" if every else "",
+        "keywords": ", **given" if every else "",
         "check": code("", f"_check_parameters({', '.join(passed)})"),
         "public": lambda name, first, *options: head(name, [first], [*options, *keywords]),
         "public_ik": lambda name, first: head(name, [first], [*schedule.inputs, "reference=None", *keywords]),
@@ -172,14 +178,15 @@ def comment(text: str, depth: int = 1) -> str:
 
 def results(call: KernelCall) -> str:
     """The names that a kernel's results get; what nothing reads is called _."""
-    names = [output.name if output.used else "_" for output in call.outputs]
+    names = [*(output.name if output.used else "_" for output in call.outputs), call.mark]
     return ", ".join([*names, f"real{call.branch}"] if call.branch else names)
 
 
 def kernel_call(call: KernelCall) -> str:
     """The call of a kernel; one with several roots is told how many axes its results will have behind the new one."""
     axes = [f"axes={call.level + 1}"] if call.branch else []
-    return f"_{call.rule}({', '.join([*call.arguments, *axes])})"
+    loose = [] if call.loose is None else [" | ".join(call.loose) or "0"]
+    return f"_{call.rule}({', '.join([*call.arguments, *loose, *axes])})"
 
 
 def _tuple(names: Iterable[str]) -> str:

@@ -44,7 +44,11 @@ class Output:
 
 @dataclass(frozen=True, kw_only=True)
 class KernelCall:
-    """A call of a kernel with at most ``roots`` roots; ``branch`` numbers the level it opens, None for one root."""
+    """A call of a kernel with at most ``roots`` roots; ``branch`` numbers the level it opens, None for one root.
+
+    ``mark`` is the variable that gets its mark. ``loose`` are the marks of the steps before it that can be free, None
+    if the kernel has a root at any input. ``joints`` are the joints in its unknown, by number.
+    """
 
     kind: str = "call"
     level: int
@@ -53,6 +57,9 @@ class KernelCall:
     outputs: tuple[Output, ...]
     roots: int
     branch: int | None
+    mark: str
+    loose: tuple[str, ...] | None
+    joints: tuple[int, ...]
 
 
 View = Comment | Assignment | KernelCall
@@ -63,16 +70,24 @@ def inverse_views(schedule: Schedule, needs: InverseNeeds, printer: Printer) -> 
     joints = {joint.name: number for number, joint in enumerate(schedule.joints)}
     views: list[View] = []
     follows = ""
+    loose: list[str] = []
     for statement in needs.statements:
-        for view in _views(statement, needs, printer, joints, follows):
+        for view in _views(statement, needs, printer, joints, follows, tuple(loose)):
             views.append(view)
+            if isinstance(view, KernelCall):
+                loose.append(view.mark)
             branched = isinstance(view, KernelCall) and view.branch is not None
             follows = "comment" if isinstance(view, Comment) else "branch" if branched else ""
     return tuple(views)
 
 
 def _views(
-    statement: Statement, needs: InverseNeeds, printer: Printer, joints: dict[str, int], follows: str
+    statement: Statement,
+    needs: InverseNeeds,
+    printer: Printer,
+    joints: dict[str, int],
+    follows: str,
+    loose: tuple[str, ...],
 ) -> tuple[View, ...]:
     if isinstance(statement, Note):
         return (Comment(level=statement.level, text=statement.text, follows=follows),)
@@ -96,6 +111,9 @@ def _views(
             ),
             roots=step.branches,
             branch=level + 1 if step.branches > 1 else None,
+            mark=f"mark{step.number}",
+            loose=loose if kernel.ends else None,
+            joints=tuple(joints[name] for name, _ in step.reference),
         ),
     )
 
