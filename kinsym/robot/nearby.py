@@ -62,7 +62,8 @@ def nominal(robot: Robot, *, twists: Fraction = TWISTS, normals: Fraction = NORM
     true = arm_of(robot)
     table = table_of(true, Tolerance(twists=twists, normals=normals, rest=ROUNDING.within))
     draft = {"name": robot.name, "title": robot.title, "source": robot.source, **table.draft}
-    neighbour = replace(from_draft(draft, where=f"nominal arm of {robot.name}", snapping=EXACT), task=robot.task, locks=robot.locks)
+    neighbour = from_draft(draft, where=f"nominal arm of {robot.name}", snapping=EXACT)
+    neighbour = replace(neighbour, task=robot.task, locks=robot.locks)
     position, rotation = difference(true, arm_of(neighbour))
     deviation = Deviation(changes=table.changes, position=position, rotation=rotation)
     notes = (*neighbour.notes, *change_notes(deviation))

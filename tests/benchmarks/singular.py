@@ -17,7 +17,7 @@ import numpy as np
 
 from kinsym.check.compiler import compile_shared
 from kinsym.check.laws import CLOSURE, PATH, Judge
-from kinsym.check.poses import KINDS, PAIR, UNIFORM, Counts, generator, samples
+from kinsym.check.poses import KINDS, UNIFORM, Counts, generator, samples
 from kinsym.check.singular import volume_of
 from kinsym.check.solvers import CSolver, TreeKinematics
 from kinsym.check.task import sifted, task_jacobian
@@ -58,8 +58,9 @@ def rows(name: str, poses: int) -> list[str]:
         closures = judge.closures(q, wanted)
         valid = np.arange(q.shape[1]) < count[:, None]
         bad = valid & ~(closures <= CLOSURE)
-        found = np.concatenate([judge.found(q[i : i + 500], known[i : i + 500], wanted[i : i + 500])
-                                for i in range(0, len(q), 500)])
+        found = np.concatenate(
+            [judge.found(q[i : i + 500], known[i : i + 500], wanted[i : i + 500]) for i in range(0, len(q), 500)]
+        )
         lost, missed = int((count == 0).sum()), int((~found).sum())
         share = [f"{100000 * n / len(q):8.0f}" for n in (lost, missed, judge.copies(q), int(bad.any(axis=1).sum()))]
         worst = float(np.where(valid & ~np.isnan(closures), closures, 0.0).max(initial=0.0))

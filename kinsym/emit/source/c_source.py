@@ -16,9 +16,9 @@ from kinsym.emit.environment import render
 from kinsym.emit.printer import Printer, decimal
 from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.banner import banner, c_comment
-from kinsym.emit.source.marks import c_marks
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import kernels_used
+from kinsym.emit.source.marks import c_marks
 from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
@@ -155,8 +155,7 @@ def _heads(schedule: Schedule, twins: bool) -> dict[str, Any]:
         "polish": f"static double polish(double q[{joints}], {pose})",
         "settle": f"static int settle({solutions}, {ending}int mark, {parameters}, const double M[12], "
         "double tau, double size)",
-        "tidied": f"static int tidied({solutions}, {name}_mark marks[], const int doubtful[], "
-        f"int count{sliding})",
+        "tidied": f"static int tidied({solutions}, {name}_mark marks[], const int doubtful[], int count{sliding})",
         "reaches": f"static int reaches({vector}, {parameters}, const double M[12], double tau{size})",
     }
 

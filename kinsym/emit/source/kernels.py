@@ -19,8 +19,9 @@ class Kernel:
 
     ``outputs`` pairs each output's name with whether it differs between the roots. ``plain`` kernels only
     assign their inputs to their outputs and need no helper; the others also tell a mark of each root: free, on a
-    border, next to one of these (soft), or in doubt. ``ends`` tells that a branch can end here for lack of a real root; such a kernel
-    is told whether a step before it was free (``loose``), for then a root in doubt may become real when that moves.
+    border, next to one of these (soft), or in doubt. ``ends`` tells that a branch can end here for lack of a real
+    root; such a kernel is told whether a step before it was special (``loose``), for then a root in doubt may become
+    real when that moves.
     """
 
     inputs: tuple[str, ...]

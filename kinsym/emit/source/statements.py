@@ -72,7 +72,7 @@ def inverse_views(schedule: Schedule, needs: InverseNeeds, printer: Printer) -> 
     follows = ""
     loose: list[str] = []
     for statement in needs.statements:
-        for view in _views(statement, needs, printer, joints, follows, tuple(loose)):
+        for view in _views(statement, needs, printer, joints=joints, follows=follows, loose=tuple(loose)):
             views.append(view)
             if isinstance(view, KernelCall):
                 loose.append(view.mark)
@@ -85,6 +85,7 @@ def _views(
     statement: Statement,
     needs: InverseNeeds,
     printer: Printer,
+    *,
     joints: dict[str, int],
     follows: str,
     loose: tuple[str, ...],
