@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 from functools import cache
 from pathlib import Path
-from tempfile import mkdtemp
+from tempfile import TemporaryDirectory
 from types import ModuleType
 from typing import Any
 
@@ -35,12 +35,12 @@ class CLibrary:
     """The generated C of a schedule, compiled with every warning an error."""
 
     def __init__(self, schedule: Schedule, extra: str = "") -> None:
-        folder = Path(mkdtemp(prefix="kinsym_"))
-        for name, text in TARGETS["c"](schedule).items():
-            (folder / name).write_text(text + (extra if name.endswith(".c") else ""), encoding="utf-8")
         self.schedule = schedule
         self.joints = len(schedule.joints)
-        self.library = ctypes.CDLL(str(compile_shared(folder, schedule.name, folder)))
+        with TemporaryDirectory() as folder:
+            for name, text in TARGETS["c"](schedule).items():
+                (Path(folder) / name).write_text(text + (extra if name.endswith(".c") else ""), encoding="utf-8")
+            self.library = ctypes.CDLL(str(compile_shared(folder, schedule.name, folder)))
 
     def _call(self, function: str, *arguments: Any) -> int:
         return getattr(self.library, f"{self.schedule.name}_{function}")(*arguments)
