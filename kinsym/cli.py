@@ -75,6 +75,9 @@ def _add_table(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--bind", metavar="NAME=VALUE", action="append", default=[], help="fold a parameter's number in (repeatable)"
     )
+    command.add_argument(
+        "--deadline", metavar="SECONDS", type=float, help="give the derivation up after this time (default: no limit)"
+    )
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 from kinsym.algebra.convert import tree_of
 from kinsym.algebra.tree import Definition
+from kinsym.deadline import Deadline
 from kinsym.inverse.plan import Plan
 from kinsym.inverse.search import derive_plan
 from kinsym.kinematics.chain import Chain, build_chain
@@ -31,18 +32,21 @@ class Derivation:
         return tuple(Definition(name=n, value=tree_of(e)) for n, e in self.chain.constants.formulas())
 
 
-def derive(robot: Robot, *, task: Task | None = None) -> Derivation:
+def derive(robot: Robot, *, task: Task | None = None, deadline: float | None = None) -> Derivation:
     """Derive forward kinematics, Jacobian and inverse kinematics of a robot.
 
-    Raises :class:`kinsym.errors.NoClosedForm` where no rule applies.
+    ``deadline`` is the time in seconds that it may take (default: no limit). Raises
+    :class:`kinsym.errors.NoClosedForm` where no rule applies, :class:`kinsym.errors.DeadlineExceeded` when the time is
+    over.
 
     >>> from kinsym.robot import load
     >>> derive(load("puma560")).plan.maximum
     8
     """
+    limit = Deadline(deadline)
     chain = build_chain(robot)
     forward = forward_kinematics(chain)
     jacobian = geometric_jacobian(chain, forward)
     chosen = task or robot.task or fitting_task(chain, jacobian)
-    plan = derive_plan(chain, chosen)
+    plan = derive_plan(chain, chosen, limit)
     return Derivation(robot=replace(robot, task=chosen), chain=chain, forward=forward, jacobian=jacobian, plan=plan)

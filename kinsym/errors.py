@@ -32,6 +32,10 @@ class NoClosedForm(KinsymError):
     exit_status = 1
 
 
+class DeadlineExceeded(KinsymError):
+    """The derivation took longer than the user allows; the message says what was reached."""
+
+
 class CheckFailed(KinsymError):
     """Generated source disagrees with the equations it was made from."""
 

@@ -24,7 +24,7 @@ def derive(options: argparse.Namespace, screen: Screen) -> int:
     folder = Path(options.output if options.output is not None else robot.name)
     check_place(folder, [*file_names(robot.name, options.target), robot.name + SUFFIX])
     screen.stage(f"deriving {robot.name}")
-    derivation = derivation_of(robot)
+    derivation = derivation_of(robot, deadline=options.deadline)
     screen.say(equations(derivation, width=screen.width, ascii=screen.ascii))
     screen.flush()
     screen.stage("writing the sources")

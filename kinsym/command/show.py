@@ -14,5 +14,6 @@ def show(options: argparse.Namespace, screen: Screen) -> int:
     from kinsym.emit.text import equations
 
     robot = robot_of(options)
-    screen.say(equations(derive(robot), width=screen.width, ascii=screen.ascii, full=options.full).rstrip("\n"))
+    derivation = derive(robot, deadline=options.deadline)
+    screen.say(equations(derivation, width=screen.width, ascii=screen.ascii, full=options.full).rstrip("\n"))
     return 0

@@ -6,15 +6,18 @@ BUDGET states in all, so that the verdict comes in bounded time and in the same 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
+from itertools import islice
 
+from kinsym.deadline import Deadline
 from kinsym.errors import NoClosedForm
 from kinsym.inverse.assemble import assemble
 from kinsym.inverse.plan import Item, Plan
 from kinsym.inverse.pool import Pool, PoolEquation
 from kinsym.inverse.rules import LAST_RULES, RULES
 from kinsym.inverse.rules.base import Candidate, Names, View
-from kinsym.inverse.state import State, shortened, start
+from kinsym.inverse.state import NO_LIMIT, State, shortened, start
 from kinsym.inverse.verdict import verdict
 from kinsym.kinematics.chain import Chain
 from kinsym.robot.model import Task
@@ -38,7 +41,8 @@ class _Search:
             return items
         if self.deepest is None or len(left) < len(self.deepest.known.unknowns()):
             self.deepest = state
-        for candidate in ranked(state)[:WIDTH]:
+        state.deadline.note(reached(self.deepest))
+        for candidate in islice(ranked(state), WIDTH):
             if self.budget <= 0:
                 return None
             self.budget -= 1
@@ -50,32 +54,44 @@ class _Search:
         return None
 
 
-def ranked(state: State) -> list[Candidate]:
+def ranked(state: State) -> Iterator[Candidate]:
     """The candidates of a state, best first, one for each unknown and cost.
 
-    The dearest rules are asked only if the others propose fewer than are ever tried.
+    The dearest rules are asked only when the others lead nowhere.
     """
     pool = Pool(state)
     equations: list[PoolEquation] = []
     for cut in pool.cuts():
+        state.deadline.check()
         equations += [equation for equation in pool.equations(cut) if equation.unknowns <= 2]
     view = View(state, equations)
-    best: dict[tuple[int, str], Candidate] = {}
+    seen: set[tuple[int, str]] = set()
     for rules in (RULES, LAST_RULES):
-        found = sorted((c for rule in rules for c in rule.candidates(view)), key=lambda c: c.order)
-        for candidate in found:
-            best.setdefault((candidate.cost, candidate.unknown), candidate)
-        if len(best) >= WIDTH:
-            break
-    return list(best.values())
+        found: list[Candidate] = []
+        for rule in rules:
+            for candidate in rule.candidates(view):
+                state.deadline.check()
+                found.append(candidate)
+        for candidate in sorted(found, key=lambda c: c.order):
+            if (candidate.cost, candidate.unknown) not in seen:
+                seen.add((candidate.cost, candidate.unknown))
+                yield candidate
 
 
-def derive_plan(chain: Chain, task: Task) -> Plan:
+def reached(state: State) -> str:
+    """How far the search has come at best."""
+    left = state.known.unknowns()
+    found = [joint.variable for joint in state.chain.joints if joint.variable not in left]
+    return f"{', '.join(found)} found, {', '.join(left)} left" if found else f"no way yet to {', '.join(left)}"
+
+
+def derive_plan(chain: Chain, task: Task, deadline: Deadline = NO_LIMIT) -> Plan:
     """The inverse kinematics of a chain for a task.
 
-    Raises :class:`NoClosedForm` with the joints that are left and the geometry that blocks them.
+    Raises :class:`NoClosedForm` with the joints that are left and the geometry that blocks them, and
+    :class:`kinsym.errors.DeadlineExceeded` when the time is over.
     """
-    state, window = start(chain, task)
+    state, window = start(chain, task, deadline)
     search = _Search()
     items = search.run(state, Names(set(chain.ring.index)), (window,) if window else ())
     if items is None:

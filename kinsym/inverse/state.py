@@ -14,12 +14,15 @@ from functools import cached_property
 from kinsym.algebra.nested import nested
 from kinsym.algebra.ring import POSE_ENTRIES, Poly, Vector, apply, plus, transpose
 from kinsym.algebra.tree import Definition, Num, Sym, Tree, negated
+from kinsym.deadline import Deadline
 from kinsym.inverse.knowledge import Knowledge
 from kinsym.inverse.plan import Window
 from kinsym.kinematics.chain import Chain, Group
 from kinsym.kinematics.links import Rigid
 from kinsym.kinematics.moves import Moves
 from kinsym.robot.model import Task
+
+NO_LIMIT = Deadline(None)
 
 POINTS = 3
 """Random points modulo the prime at which a polynomial must vanish to be called zero."""
@@ -48,7 +51,10 @@ FIXED = {
 
 @dataclass(frozen=True)
 class State:
-    """The remaining arm: groups ``first`` to ``end`` (exclusive), and the names of the pose entries."""
+    """The remaining arm: groups ``first`` to ``end`` (exclusive), and the names of the pose entries.
+
+    ``deadline`` is looked at by whatever takes long with a state.
+    """
 
     chain: Chain
     task: Task
@@ -56,6 +62,7 @@ class State:
     first: int
     end: int
     names: dict[str, Tree]
+    deadline: Deadline = NO_LIMIT
 
     @property
     def columns(self) -> str:
@@ -110,6 +117,7 @@ class State:
         units = {"u": (one, zero, zero), "v": (zero, one, zero), "w": (zero, zero, one)}
         columns: dict[str, Vector] = {}
         for name in "uvwp":
+            self.deadline.check()
             vector = units.get(name, (zero, zero, zero))
             for group in reversed(self.groups):
                 move = Moves(ring, group, self.chain.turn)
@@ -144,10 +152,10 @@ class State:
         return f"T_{self.left}_{self.right}"
 
 
-def start(chain: Chain, task: Task) -> tuple[State, Window | None]:
+def start(chain: Chain, task: Task, deadline: Deadline = NO_LIMIT) -> tuple[State, Window | None]:
     """The whole arm; constants before the first and after the last joint are moved to the pose at once."""
     names: dict[str, Tree] = {entry: Sym(entry) for entry in POSE_ENTRIES}
-    state = State(chain, task, Knowledge(chain), 0, len(chain.groups), names)
+    state = State(chain, task, Knowledge(chain), 0, len(chain.groups), names, deadline)
     after = chain.groups[-1].trail if state.oriented else Rigid.unit(chain.ring)
     before = chain.base.inverse(chain.ring)
     after = after.inverse(chain.ring)

@@ -88,6 +88,7 @@ def candidates(view: View) -> Iterator[Candidate]:
         for turned, other in (angles, angles[::-1]):
             forms = [form for equation in family if (form := turned_form(state, equation, turned, points))]
             for first, second in permutations(forms, 2):
+                state.deadline.check()
                 pair = turned_pair(state, turned, other, first, second) if promising(first, second) else None
                 if pair is not None and any(map(any, eliminant := eliminant_of(state, pair))):
                     found.append((pair, eliminant))
