@@ -6,7 +6,7 @@ BUDGET states in all, so that the verdict comes in bounded time and in the same 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice
 
@@ -15,9 +15,10 @@ from kinsym.errors import NoClosedForm
 from kinsym.inverse.assemble import assemble
 from kinsym.inverse.plan import Item, Plan
 from kinsym.inverse.pool import Pool, PoolEquation
-from kinsym.inverse.rules import LAST_RULES, RULES
+from kinsym.inverse.rules import LAST_RULES, RULES, Rule
 from kinsym.inverse.rules.base import Candidate, Names, View
 from kinsym.inverse.state import NO_LIMIT, State, shortened, start
+from kinsym.inverse.substitution import substituted
 from kinsym.inverse.verdict import verdict
 from kinsym.kinematics.chain import Chain
 from kinsym.robot.model import Task
@@ -59,14 +60,8 @@ def ranked(state: State) -> Iterator[Candidate]:
 
     The dearest rules are asked only when the others lead nowhere.
     """
-    pool = Pool(state)
-    equations: list[PoolEquation] = []
-    for cut in pool.cuts():
-        state.deadline.check()
-        equations += [equation for equation in pool.equations(cut) if equation.unknowns <= 2]
-    view = View(state, equations)
     seen: set[tuple[int, str]] = set()
-    for rules in (RULES, LAST_RULES):
+    for rules, view in _stages(state):
         found: list[Candidate] = []
         for rule in rules:
             for candidate in rule.candidates(view):
@@ -76,6 +71,21 @@ def ranked(state: State) -> Iterator[Candidate]:
             if (candidate.cost, candidate.unknown) not in seen:
                 seen.add((candidate.cost, candidate.unknown))
                 yield candidate
+
+
+def _stages(state: State) -> Iterator[tuple[Sequence[Rule], View]]:
+    """Rules with what they look at, the dearest last: equations of the pool, then those without some length."""
+    pool = Pool(state)
+    everything: list[PoolEquation] = []
+    for cut in pool.cuts():
+        state.deadline.check()
+        everything += pool.equations(cut)
+    view = View(state, [equation for equation in everything if equation.unknowns <= 2 or not equation.angles])
+    yield RULES, view
+    yield LAST_RULES, view
+    fewer = substituted(state, everything)
+    if fewer:
+        yield (*RULES, *LAST_RULES), View(state, fewer)
 
 
 def reached(state: State) -> str:
