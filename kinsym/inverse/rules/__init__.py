@@ -5,7 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Protocol
 
-from kinsym.inverse.rules import homogeneous, lengths, linear, sine_cosine, slides, square_and_add, triangle
+from kinsym.inverse.rules import (
+    homogeneous,
+    lengths,
+    linear,
+    sine_cosine,
+    slides,
+    square_and_add,
+    square_and_add_slide,
+    triangle,
+)
 from kinsym.inverse.rules.base import Candidate, View
 
 
@@ -22,7 +31,7 @@ class Rule(Protocol):
 RULES: tuple[Rule, ...] = (sine_cosine, lengths, slides, homogeneous, triangle, linear)
 """In order of preference; the cost of a candidate decides."""
 
-LAST_RULES: tuple[Rule, ...] = (square_and_add,)
+LAST_RULES: tuple[Rule, ...] = (square_and_add, square_and_add_slide)
 """Rules that are dearer than all others, and take longer to look."""
 
 TITLES: dict[str, str] = {key: title for rule in (*RULES, *LAST_RULES) for key, title in rule.TITLES.items()}
