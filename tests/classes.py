@@ -31,7 +31,7 @@ class Arm:
     offset: list[str] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self.style = self.random.choice(("symbols", "numbers", "skew", "sparse"))
+        self.style = self.random.choice(("symbols", "numbers", "skew", "sparse", "dense"))
         for row in range(1, len(self.kinds) + 1):
             self.alpha.append(self.twist(row))
             self.a.append(self.length(f"a{row}"))
@@ -40,7 +40,7 @@ class Arm:
 
     def twist(self, row: int) -> str:
         """A twist between axes that are not parallel."""
-        if self.style == "skew" and self.random.random() < 0.5:
+        if self.style in ("skew", "dense") and self.random.random() < 0.5:
             return self.random.choice(SKEW)
         if self.style == "symbols" and self.random.random() < 0.15:
             return f"alpha{row}"
@@ -48,7 +48,7 @@ class Arm:
 
     def length(self, name: str) -> str:
         """An offset, which may be zero."""
-        if self.random.random() < (0.6 if self.style == "sparse" else 0.3):
+        if self.random.random() < {"sparse": 0.6, "dense": 0.0}.get(self.style, 0.3):
             return "0"
         return self.link(name)
 
