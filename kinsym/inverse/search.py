@@ -17,10 +17,11 @@ from kinsym.inverse.plan import Item, Plan
 from kinsym.inverse.pool import Pool, PoolEquation
 from kinsym.inverse.rules import LAST_RULES, RULES, Rule
 from kinsym.inverse.rules.base import Candidate, Names, View
+from kinsym.inverse.spin import frame_about, spin_name, without
 from kinsym.inverse.state import NO_LIMIT, State, shortened, start
 from kinsym.inverse.substitution import substituted
 from kinsym.inverse.verdict import verdict
-from kinsym.kinematics.chain import Chain
+from kinsym.kinematics.chain import Chain, build_chain
 from kinsym.robot.model import Task
 
 BUDGET = 60
@@ -104,6 +105,21 @@ def derive_plan(chain: Chain, task: Task, deadline: Deadline = NO_LIMIT) -> Plan
     state, window = start(chain, task, deadline)
     search = _Search()
     items = search.run(state, Names(set(chain.ring.index)), (window,) if window else ())
-    if items is None:
-        raise NoClosedForm(verdict(search.deepest or state))
-    return assemble(chain, task, items)
+    if items is not None:
+        return assemble(chain, task, items)
+    if task is Task.POSITION_AXIS:
+        plan = _with_spin(chain, deadline)
+        if plan is not None:
+            return plan
+    raise NoClosedForm(verdict(search.deepest or state))
+
+
+def _with_spin(chain: Chain, deadline: Deadline) -> Plan | None:
+    """Position and axis as a whole pose of the arm with a joint more, see :mod:`kinsym.inverse.spin`."""
+    name = spin_name(chain)
+    spun = build_chain(chain.robot, name)
+    names = Names({*spun.ring.index, *chain.ring.index})
+    frame, entries = frame_about(names)
+    state, window = start(spun, Task.POSE, deadline, entries)
+    items = _Search().run(state, names, (*frame, *((window,) if window else ())))
+    return None if items is None else without(assemble(spun, Task.POSE, items, unread=(name,)), chain, name)

@@ -8,8 +8,10 @@ one; ``names`` says what they are called.
 from __future__ import annotations
 
 import random
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
+from types import MappingProxyType
 
 from kinsym.algebra.nested import nested
 from kinsym.algebra.ring import POSE_ENTRIES, Poly, Vector, apply, plus, transpose
@@ -152,9 +154,14 @@ class State:
         return f"T_{self.left}_{self.right}"
 
 
-def start(chain: Chain, task: Task, deadline: Deadline = NO_LIMIT) -> tuple[State, Window | None]:
-    """The whole arm; constants before the first and after the last joint are moved to the pose at once."""
-    names: dict[str, Tree] = {entry: Sym(entry) for entry in POSE_ENTRIES}
+def start(
+    chain: Chain, task: Task, deadline: Deadline = NO_LIMIT, given: Mapping[str, Tree] = MappingProxyType({})
+) -> tuple[State, Window | None]:
+    """The whole arm; constants before the first and after the last joint are moved to the pose at once.
+
+    ``given`` says what entries of the pose are called if not by their own names.
+    """
+    names: dict[str, Tree] = {entry: given.get(entry, Sym(entry)) for entry in POSE_ENTRIES}
     state = State(chain, task, Knowledge(chain), 0, len(chain.groups), names, deadline)
     after = chain.groups[-1].trail if state.oriented else Rigid.unit(chain.ring)
     before = chain.base.inverse(chain.ring)

@@ -111,16 +111,18 @@ class Chain:
         return values
 
 
-def build_chain(robot: Robot) -> Chain:
-    """The chain of a robot."""
+def build_chain(robot: Robot, spin: str | None = None) -> Chain:
+    """The chain of a robot; with ``spin``, of the robot and one more joint of that name about the end frame's z axis."""
     constants = Constants(list(robot.parameters))
     note_cells(constants, robot)
     plain = Ring(constants.generators())
     head, body = motions(plain, constants, robot)
+    extra = () if spin is None else (spin,)
     ends = {"base": head if robot.base else None, "end": body[-1].after if robot.tool else None}
     for place, transform in ends.items():
         for name, entry in transform.entries(place) if transform else ():
             constants.note_entry(plain, entry, name)
+    body += tuple(Motion(name, "R", 1, Rigid.unit(plain)) for name in extra)
     runs = _runs(plain, body)
     digits = shorthand(tuple(joint.variable for joint in body))
 
@@ -137,6 +139,7 @@ def build_chain(robot: Robot) -> Chain:
     base, joints = motions(ring, constants, robot)
     base = base.named(ring, "base")
     joints = (*joints[:-1], replace(joints[-1], after=joints[-1].after.named(ring, "end")))
+    joints += tuple(Motion(name, "R", 1, Rigid.unit(ring)) for name in extra)
     groups = tuple(
         _group(ring, index, joints, positions, tuple(nodes)) for index, (positions, nodes) in enumerate(runs)
     )
