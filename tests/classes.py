@@ -75,8 +75,8 @@ class Arm:
                 self.a[row - 1] = self.link(f"a{row}")
         return self
 
-    def text(self, task: str = "") -> str:
-        """The robot file."""
+    def text(self, task: str = "", *, framed: bool = True) -> str:
+        """The robot file, sometimes with a base or a tool."""
         convention = self.random.choice(("paul", "craig"))
         alpha, a = self.alpha, self.a
         if convention == "craig":
@@ -91,9 +91,9 @@ class Arm:
                 f'  {{ type = "{kind}", alpha = "{alpha[row]}", a = "{a[row]}", d = "{d}", theta = "{theta}" }},'
             )
         lines.append("]")
-        if self.random.random() < 0.1:
+        if framed and self.random.random() < 0.1:
             lines += ["", "[base]", 'xyz = ["0.1", "h", "0"]', 'rpy = ["0.3", "0", "pi/4"]']
-        if self.random.random() < 0.1:
+        if framed and self.random.random() < 0.1:
             lines += ["", "[tool]", 'xyz = ["0", "0.05", "0.12"]', 'rpy = ["pi/2", "0", "deg(45)"]']
         return "\n".join(lines) + "\n"
 
@@ -274,7 +274,7 @@ def five_axes_wrist(random: Random) -> str:
     """Five joints for a position and an axis that meets the last axes."""
     arm = Arm(random, _mixed(random, 3) + "RR").pair(4)
     arm.a[4] = arm.d[4] = "0"
-    return arm.text("position_axis")
+    return arm.text("position_axis", framed=False)
 
 
 CLASSES: dict[str, Callable[[Random], str]] = {

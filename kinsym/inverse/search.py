@@ -18,13 +18,15 @@ from kinsym.inverse.pool import Pool, PoolEquation
 from kinsym.inverse.rules import LAST_RULES, RULES, Rule
 from kinsym.inverse.rules.base import Candidate, Names, View
 from kinsym.inverse.spin import frame_about, spin_name, without
-from kinsym.inverse.state import NO_LIMIT, State, shortened, start
+from kinsym.inverse.state import FIXED, NO_LIMIT, State, shortened, start
 from kinsym.inverse.substitution import substituted
 from kinsym.inverse.verdict import verdict
 from kinsym.kinematics.chain import Chain, build_chain
 from kinsym.robot.model import Task
 
 BUDGET = 60
+TRIAL = 15
+"""States that are spent on an arm of which only is asked whether it has a closed form."""
 WIDTH = 3
 
 
@@ -102,24 +104,29 @@ def derive_plan(chain: Chain, task: Task, deadline: Deadline = NO_LIMIT) -> Plan
     Raises :class:`NoClosedForm` with the joints that are left and the geometry that blocks them, and
     :class:`kinsym.errors.DeadlineExceeded` when the time is over.
     """
+    plan, state = _plan(chain, task, deadline, BUDGET)
+    if plan is None:
+        raise NoClosedForm(verdict(state, lambda other, task: _plan(other, task, deadline, TRIAL)[0] is not None))
+    return plan
+
+
+def _plan(chain: Chain, task: Task, deadline: Deadline, budget: int) -> tuple[Plan | None, State]:
+    """The plan, or None, and the state that came farthest."""
     state, window = start(chain, task, deadline)
-    search = _Search()
+    search = _Search(budget)
     items = search.run(state, Names(set(chain.ring.index)), (window,) if window else ())
-    if items is not None:
-        return assemble(chain, task, items)
-    if task is Task.POSITION_AXIS:
-        plan = _with_spin(chain, deadline)
-        if plan is not None:
-            return plan
-    raise NoClosedForm(verdict(search.deepest or state))
+    plan = None if items is None else assemble(chain, task, items)
+    if plan is None and task is Task.POSITION_AXIS and len(chain.joints) == FIXED[task]:
+        plan = _with_spin(chain, deadline, budget)
+    return plan, search.deepest or state
 
 
-def _with_spin(chain: Chain, deadline: Deadline) -> Plan | None:
+def _with_spin(chain: Chain, deadline: Deadline, budget: int) -> Plan | None:
     """Position and axis as a whole pose of the arm with a joint more, see :mod:`kinsym.inverse.spin`."""
     name = spin_name(chain)
     spun = build_chain(chain.robot, name)
     names = Names({*spun.ring.index, *chain.ring.index})
     frame, entries = frame_about(names)
     state, window = start(spun, Task.POSE, deadline, entries)
-    items = _Search().run(state, names, (*frame, *((window,) if window else ())))
+    items = _Search(budget).run(state, names, (*frame, *((window,) if window else ())))
     return None if items is None else without(assemble(spun, Task.POSE, items, unread=(name,)), chain, name)

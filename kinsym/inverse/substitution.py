@@ -8,6 +8,7 @@ prismatic joint between two others (RPR and PRP before a wrist, three prismatic 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 
 from kinsym.algebra.ring import Poly
 from kinsym.inverse.pool import PoolEquation
@@ -19,6 +20,16 @@ ROUNDS = 2
 """How many lengths are put in one after the other."""
 HIGHEST = 2
 """The highest power of a length that is replaced."""
+
+
+@dataclass(frozen=True)
+class Source:
+    """An equation that gives a length: ``factor d + rest = 0`` with a constant factor."""
+
+    equation: PoolEquation
+    variable: str
+    factor: Poly
+    rest: Poly
 
 
 def substituted(state: State, equations: Iterable[PoolEquation]) -> list[PoolEquation]:
@@ -50,20 +61,20 @@ def _once(state: State, equations: list[PoolEquation]) -> Iterator[PoolEquation]
     for variable in dict.fromkeys(length for equation in equations for length in equation.lengths):
         holding = [equation for equation in equations if variable in equation.lengths]
         holding.sort(key=lambda equation: (equation.unknowns, len(equation.poly)))
-        sources: list[tuple[PoolEquation, Poly, Poly]] = []
+        sources: list[Source] = []
         for equation in holding:
             parts = ring.collect(equation.poly, (variable,))
             if len(sources) < SOURCES and equation.unit == 1 and set(parts) <= {(0,), (1,)}:
                 factor = parts[(1,)]
                 if ring.is_constant(factor) and not state.vanishes(factor):
-                    sources.append((equation, factor, parts.get((0,), ring.zero)))
-        for source, factor, rest in sources:
-            others = _unknowns(source) - {variable}
+                    sources.append(Source(equation, variable, factor, parts.get((0,), ring.zero)))
+        for source in sources:
+            others = _unknowns(source.equation) - {variable}
             for equation in holding:
-                if equation is source or len(others | (_unknowns(equation) - {variable})) > 2:
+                if equation is source.equation or len(others | (_unknowns(equation) - {variable})) > 2:
                     continue
                 state.deadline.check()
-                found = _put(state, equation, variable, factor, rest, source)
+                found = _put(state, equation, source)
                 if found is not None:
                     yield found
 
@@ -72,10 +83,8 @@ def _unknowns(equation: PoolEquation) -> set[str]:
     return {*equation.lengths, *(angle.label for angle in equation.angles)}
 
 
-def _put(
-    state: State, equation: PoolEquation, variable: str, factor: Poly, rest: Poly, source: PoolEquation
-) -> PoolEquation | None:
-    ring = state.chain.ring
+def _put(state: State, equation: PoolEquation, source: Source) -> PoolEquation | None:
+    ring, variable, factor, rest = state.chain.ring, source.variable, source.factor, source.rest
     parts: dict[int, Poly] = {key[0]: part for key, part in ring.collect(equation.poly, (variable,)).items()}
     degree = max(parts)
     if degree > HIGHEST:
@@ -94,14 +103,14 @@ def _put(
     total = ring.reduce(total)
     if not total:
         return None
-    return separated(state, total, equation, f"{equation.source}, with {variable} by {source.source}", source)
+    return _separated(state, total, equation, source)
 
 
-def separated(state: State, poly: Poly, like: PoolEquation, text: str, other: PoolEquation) -> PoolEquation | None:
+def _separated(state: State, poly: Poly, equation: PoolEquation, source: Source) -> PoolEquation | None:
     """A polynomial that is zero as an equation, what is known on the left."""
-    ring = state.chain.ring
-    angles = {angle.label: angle for angle in (*like.angles, *other.angles)}
-    lengths = dict.fromkeys((*like.lengths, *other.lengths))
+    ring, other = state.chain.ring, source.equation
+    angles = {angle.label: angle for angle in (*equation.angles, *other.angles)}
+    lengths = dict.fromkeys((*equation.lengths, *other.lengths))
     used = set(ring.used(poly))
     kept = tuple(angle for angle in angles.values() if angle.cosine in used or angle.sine in used)
     slides = tuple(length for length in lengths if length in used)
@@ -110,4 +119,5 @@ def separated(state: State, poly: Poly, like: PoolEquation, text: str, other: Po
     names = [*(name for angle in kept for name in (angle.cosine, angle.sine)), *slides]
     constant = (0,) * len(names)
     lhs: Poly = ring.collect(poly, names).get(constant, ring.zero)
-    return PoolEquation(lhs, lhs - poly, like.unit, text, kept, slides)
+    text = f"{equation.source}, with {source.variable} by {other.source}"
+    return PoolEquation(lhs, lhs - poly, equation.unit, text, kept, slides)

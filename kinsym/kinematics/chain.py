@@ -112,7 +112,7 @@ class Chain:
 
 
 def build_chain(robot: Robot, spin: str | None = None) -> Chain:
-    """The chain of a robot; with ``spin``, of the robot and one more joint of that name about the end frame's z axis."""
+    """The chain of a robot; with ``spin``, one more joint of that name turns about the z axis of the end frame."""
     constants = Constants(list(robot.parameters))
     note_cells(constants, robot)
     plain = Ring(constants.generators())

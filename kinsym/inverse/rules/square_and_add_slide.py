@@ -11,6 +11,8 @@ phi, so that near roots are told apart, or merged, by the same tolerances as tho
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
 from functools import partial
 from itertools import permutations
 
@@ -50,9 +52,22 @@ from kinsym.inverse.rules.squares import Terms, difference, error_of, magnitude,
 from kinsym.inverse.rules.turned_pair import Line, Pair, promising, shared_points, turned_form, turned_pair
 from kinsym.inverse.state import State
 
+HALF = Num(Fraction(1, 2))
 TITLES: dict[str, str] = {}
 QUADRATIC_COST, QUARTIC_COST = 58, 62
 SIGNS = (1, 1, -1, -1)
+
+
+@dataclass(frozen=True)
+class _Statement:
+    """What a step states: X, Y, k1 and k2 as polynomials in the length, and where they come from."""
+
+    variable: str
+    pair: Pair
+    vectors: list[Terms]
+    definitions: list[Definition]
+    equations: tuple[Equation, ...]
+    error: Tree
 
 
 def candidates(view: View) -> Iterator[Candidate]:
@@ -119,10 +134,8 @@ def _build(state: State, variable: str, pair: Pair, degree: int, names: Names) -
     ]
     equations = tuple(shown(state, equation) for equation in pair.equations)
     error = error_of(state, pair)
-    if degree == 2:
-        steps = [_quadratic(names, variable, vectors, definitions, equations, pair)]
-    else:
-        steps = _quartic(names, variable, vectors, definitions, equations, error)
+    stated = _Statement(variable, pair, vectors, definitions, equations, error)
+    steps = [_quadratic(names, stated)] if degree == 2 else _quartic(names, stated)
     d = Sym(variable)
     lines = [total([p, mul(q, d), mul(r, Pow(d, 2))]) for p, q, r in vectors]
     values: list[Definition] = []
@@ -133,16 +146,10 @@ def _build(state: State, variable: str, pair: Pair, degree: int, names: Names) -
     return Outcome((*steps, *values, follow, angle_value(turned)), known)
 
 
-def _quadratic(
-    names: Names,
-    variable: str,
-    vectors: list[Terms],
-    definitions: list[Definition],
-    equations: tuple[Equation, ...],
-    pair: Pair,
-) -> Step:
+def _quadratic(names: Names, stated: _Statement) -> Step:
     """a2 d^2 + a1 d + a0 = 0 with a constant a2."""
-    signed = list(zip(SIGNS, vectors, strict=True))
+    variable, definitions = stated.variable, stated.definitions
+    signed = list(zip(SIGNS, stated.vectors, strict=True))
 
     def summed(products: list[tuple[int, Tree]]) -> Tree:
         return total([tree if sign > 0 else opposite(tree) for sign, tree in products])
@@ -161,7 +168,7 @@ def _quadratic(
         number=names.step(),
         unknown=variable,
         rule="quadratic",
-        equations=equations,
+        equations=stated.equations,
         coefficients=tuple(definitions),
         inputs={"b": b, "c": c, "t": _over(tolerance(2), magnitude(leading))},
         outputs=(variable,),
@@ -170,40 +177,35 @@ def _quadratic(
         solution=((variable, PlusMinus(None if b == ZERO else opposite(b), root)),),
         condition=(square, ">=", c),
         degenerate=None,
-        why=f"the squares of the two equations add up to one without {pair.turned.name}, quadratic in this length",
+        why=f"the squares of the two equations add up to one without {stated.pair.turned.name}, quadratic in this length",
     )
 
 
 def _is(part: Tree, p: Tree, q: Tree, r: Tree) -> bool:
     """Whether a product of the leading coefficient is not zero."""
-    return q != ZERO if isinstance(part, Pow) else p != ZERO and r != ZERO
+    return q != ZERO if isinstance(part, Pow) else ZERO not in (p, r)
 
 
 def _over(above: Tree, below: Tree) -> Tree:
     return above if below == ONE or above == ZERO else Quot(above, below)
 
 
-def _quartic(
-    names: Names,
-    variable: str,
-    vectors: list[Terms],
-    definitions: list[Definition],
-    equations: tuple[Equation, ...],
-    error: Tree,
-) -> list[Step]:
+def _quartic(names: Names, stated: _Statement) -> list[Step]:
     """The polynomial in phi, then the length."""
+    variable, vectors, definitions, error = stated.variable, stated.vectors, stated.definitions, stated.error
     phi = names.fresh("phi")
     cosine, sine = Sym(names.fresh("cosphi")), Sym(names.fresh("sinphi"))
-    half = Num(number(1).value / 2)
 
     def turned(terms: Terms) -> Terms:
         p, q, r = terms
         if r == ZERO:
-            p2 = mul(half, p)
-            return p2, mul(half, q, SIZE), p2
+            p2 = mul(HALF, p)
+            return p2, mul(HALF, q, SIZE), p2
         r2 = mul(r, Pow(SIZE, 2))
-        parts = mul(half, sub(p, r2)), mul(half, q, SIZE), mul(half, add(p, r2))
-        first, second, third = (names.short(stem, t, definitions) for stem, t in zip(("mu", "nu", "gamma"), parts))
+        parts = mul(HALF, sub(p, r2)), mul(HALF, q, SIZE), mul(HALF, add(p, r2))
+        first, second, third = (
+            names.short(stem, t, definitions) for stem, t in zip(("mu", "nu", "gamma"), parts, strict=True)
+        )
         return first, second, third
 
     forms = [turned(terms) for terms in vectors]
@@ -214,7 +216,7 @@ def _quartic(
         number=names.step(),
         unknown=phi,
         rule="quartic",
-        equations=equations,
+        equations=stated.equations,
         coefficients=tuple(definitions),
         inputs={**quartic_inputs(forms, error, ""), **quartic_inputs(forms, error, "2")},
         outputs=(str(cosine.name), str(sine.name)),
@@ -229,7 +231,7 @@ def _quartic(
         number=names.step(),
         unknown=variable,
         rule="length",
-        equations=equations,
+        equations=stated.equations,
         coefficients=(),
         inputs={"d": value},
         outputs=(variable,),
