@@ -80,6 +80,7 @@ class Arm:
         convention = self.random.choice(("paul", "craig"))
         alpha, a = self.alpha, self.a
         if convention == "craig":
+            last = f'  {{ type = "fixed", alpha = "{alpha[-1]}", a = "{a[-1]}", d = "0", theta = "0" }},'
             alpha, a = ["0", *alpha[:-1]], ["0", *a[:-1]]
         lines = ['name = "arm"', f'convention = "{convention}"', *([f'task = "{task}"'] if task else []), "joints = ["]
         for row, kind in enumerate(self.kinds):
@@ -90,7 +91,7 @@ class Arm:
             lines.append(
                 f'  {{ type = "{kind}", alpha = "{alpha[row]}", a = "{a[row]}", d = "{d}", theta = "{theta}" }},'
             )
-        lines.append("]")
+        lines += [last, "]"] if convention == "craig" else ["]"]
         if framed and self.random.random() < 0.1:
             lines += ["", "[base]", 'xyz = ["0.1", "h", "0"]', 'rpy = ["0.3", "0", "pi/4"]']
         if framed and self.random.random() < 0.1:

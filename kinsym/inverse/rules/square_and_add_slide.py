@@ -11,7 +11,7 @@ phi, so that near roots are told apart, or merged, by the same tolerances as tho
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
 from itertools import permutations
@@ -48,13 +48,23 @@ from kinsym.inverse.rules.base import (
     shown,
     tolerance,
 )
-from kinsym.inverse.rules.squares import Terms, difference, error_of, magnitude, quartic_inputs, total, turn_step
+from kinsym.inverse.rules.squares import (
+    Terms,
+    difference,
+    error_of,
+    magnitude,
+    quartic_inputs,
+    square,
+    total,
+    turn_step,
+)
+from kinsym.inverse.rules.tangent import by_tangent, length_of, new_tangent
 from kinsym.inverse.rules.turned_pair import Line, Pair, promising, shared_points, turned_form, turned_pair
 from kinsym.inverse.state import State
 
 HALF = Num(Fraction(1, 2))
 TITLES: dict[str, str] = {}
-QUADRATIC_COST, QUARTIC_COST = 58, 62
+QUADRATIC_COST, TANGENT_COST, QUARTIC_COST = 58, 59, 62
 SIGNS = (1, 1, -1, -1)
 
 
@@ -89,10 +99,9 @@ def candidates(view: View) -> Iterator[Candidate]:
             if pair is None:
                 continue
             degree, leading = _leading(state, pair)
-            if degree in (2, 4) and state.chain.ring.is_constant(leading) and not state.vanishes(leading):
-                cost = QUADRATIC_COST if degree == 2 else QUARTIC_COST
-                build = partial(_build, state, variable, pair, degree)
-                yield Candidate(cost, pair.terms, variable, build)
+            cost = _cost(degree, constant=state.chain.ring.is_constant(leading))
+            if cost:
+                yield Candidate(cost, pair.terms, variable, partial(_build, state, variable, pair, cost))
 
 
 def _leading(state: State, pair: Pair) -> tuple[int, Poly]:
@@ -113,7 +122,14 @@ def _leading(state: State, pair: Pair) -> tuple[int, Poly]:
     return 0, ring.zero
 
 
-def _build(state: State, variable: str, pair: Pair, degree: int, names: Names) -> Outcome:
+def _cost(degree: int, *, constant: bool) -> int:
+    """The cost by the degree of the polynomial; 0 for a degree of three, whose root at infinity is none."""
+    if degree == 2:
+        return QUADRATIC_COST if constant else TANGENT_COST
+    return QUARTIC_COST if degree == 4 else 0
+
+
+def _build(state: State, variable: str, pair: Pair, cost: int, names: Names) -> Outcome:
     definitions: list[Definition] = []
     named: dict[Tree, Tree] = {}
 
@@ -135,7 +151,8 @@ def _build(state: State, variable: str, pair: Pair, degree: int, names: Names) -
     equations = tuple(shown(state, equation) for equation in pair.equations)
     error = error_of(state, pair)
     stated = _Statement(variable, pair, vectors, definitions, equations, error)
-    steps = [_quadratic(names, stated)] if degree == 2 else _quartic(names, stated)
+    solve = {QUADRATIC_COST: _quadratic, TANGENT_COST: _tangent, QUARTIC_COST: _quartic}[cost]
+    steps = solve(names, stated)
     d = Sym(variable)
     lines = [total([p, mul(q, d), mul(r, Pow(d, 2))]) for p, q, r in vectors]
     values: list[Definition] = []
@@ -146,25 +163,38 @@ def _build(state: State, variable: str, pair: Pair, degree: int, names: Names) -
     return Outcome((*steps, *values, follow, angle_value(turned)), known)
 
 
-def _quadratic(names: Names, stated: _Statement) -> Step:
-    """a2 d^2 + a1 d + a0 = 0 with a constant a2."""
+def _coefficients(stated: _Statement) -> tuple[Tree, Tree, Tree]:
+    """a2, a1, a0 of a2 d^2 + 2 a1 d + a0 = 0."""
+    a2: list[Tree] = []
+    a1: list[Tree] = []
+    a0: list[Tree] = []
+    for sign, (p, q, r) in zip(SIGNS, stated.vectors, strict=True):
+        squared = total([square(q), mul(number(2), p, r)])
+        for part, product in ((a2, squared), (a1, mul(p, q)), (a0, square(p))):
+            part.append(product if sign > 0 else opposite(product))
+    return total(a2), total(a1), total(a0)
+
+
+def _why(stated: _Statement) -> str:
+    return f"the squares of the two equations add up to one without {stated.pair.turned.name}"
+
+
+def _tangent(names: Names, stated: _Statement) -> tuple[Step, ...]:
+    """a2 d^2 + 2 a1 d + a0 = 0 where a2 can vanish."""
+    parts = _coefficients(stated)
+    first, second = by_tangent(names, stated.variable, parts, stated.equations, _why(stated))
+    return replace(first, coefficients=(*stated.definitions, *first.coefficients)), second
+
+
+def _quadratic(names: Names, stated: _Statement) -> tuple[Step, ...]:
+    """The same with a constant a2."""
     variable, definitions = stated.variable, stated.definitions
-    signed = list(zip(SIGNS, stated.vectors, strict=True))
-
-    def summed(products: list[tuple[int, Tree]]) -> Tree:
-        return total([tree if sign > 0 else opposite(tree) for sign, tree in products])
-
-    a2 = summed(
-        [(sign, part) for sign, (p, q, r) in signed for part in (Pow(q, 2), mul(number(2), p, r)) if _is(part, p, q, r)]
-    )
-    a1 = summed([(sign, mul(p, q)) for sign, (p, q, _) in signed])
-    a0 = summed([(sign, Pow(p, 2)) for sign, (p, _, _) in signed if p != ZERO])
+    a2, a1, a0 = _coefficients(stated)
     leading = names.short("lambda", a2, definitions)
     b = names.short("kappa", a1 if leading == ONE else _over(a1, leading), definitions)
     c = names.short("kappa", a0 if leading == ONE else _over(a0, leading), definitions)
-    square: Tree = ZERO if b == ZERO else Pow(b, 2)
-    root = Call("sqrt", (sub(square, c),))
-    return Step(
+    root = Call("sqrt", (sub(square(b), c),))
+    step = Step(
         number=names.step(),
         unknown=variable,
         rule="quadratic",
@@ -175,26 +205,21 @@ def _quadratic(names: Names, stated: _Statement) -> Step:
         branches=2,
         reference=((variable, 1),),
         solution=((variable, PlusMinus(None if b == ZERO else opposite(b), root)),),
-        condition=(square, ">=", c),
+        condition=(square(b), ">=", c),
         degenerate=None,
-        why=f"the squares of the two equations add up to one without {stated.pair.turned.name}, quadratic in this length",
+        why=f"{_why(stated)}, quadratic in this length",
     )
-
-
-def _is(part: Tree, p: Tree, q: Tree, r: Tree) -> bool:
-    """Whether a product of the leading coefficient is not zero."""
-    return q != ZERO if isinstance(part, Pow) else ZERO not in (p, r)
+    return (step,)
 
 
 def _over(above: Tree, below: Tree) -> Tree:
     return above if below == ONE or above == ZERO else Quot(above, below)
 
 
-def _quartic(names: Names, stated: _Statement) -> list[Step]:
+def _quartic(names: Names, stated: _Statement) -> tuple[Step, ...]:
     """The polynomial in phi, then the length."""
     variable, vectors, definitions, error = stated.variable, stated.vectors, stated.definitions, stated.error
-    phi = names.fresh("phi")
-    cosine, sine = Sym(names.fresh("cosphi")), Sym(names.fresh("sinphi"))
+    phi, cosine, sine = new_tangent(names)
 
     def turned(terms: Terms) -> Terms:
         p, q, r = terms
@@ -211,7 +236,6 @@ def _quartic(names: Names, stated: _Statement) -> list[Step]:
     forms = [turned(terms) for terms in vectors]
     d = Sym(variable)
     statement = difference([total([p, mul(q, d), mul(r, Pow(d, 2))]) for p, q, r in vectors])
-    value = Quot(mul(SIZE, sine), add(ONE, cosine))
     first = Step(
         number=names.step(),
         unknown=phi,
@@ -219,7 +243,7 @@ def _quartic(names: Names, stated: _Statement) -> list[Step]:
         equations=stated.equations,
         coefficients=tuple(definitions),
         inputs={**quartic_inputs(forms, error, ""), **quartic_inputs(forms, error, "2")},
-        outputs=(str(cosine.name), str(sine.name)),
+        outputs=(cosine.name, sine.name),
         branches=4,
         reference=(),
         solution=(("0", statement),),
@@ -227,19 +251,4 @@ def _quartic(names: Names, stated: _Statement) -> list[Step]:
         degenerate=None,
         why=f"the squares of the two equations add up to a polynomial of degree four in {variable} = size tan({phi}/2)",
     )
-    second = Step(
-        number=names.step(),
-        unknown=variable,
-        rule="length",
-        equations=stated.equations,
-        coefficients=(),
-        inputs={"d": value},
-        outputs=(variable,),
-        branches=1,
-        reference=((variable, 1),),
-        solution=((variable, value),),
-        condition=None,
-        degenerate=None,
-        why=f"the length that belongs to {phi}",
-    )
-    return [first, second]
+    return first, length_of(names, variable, (phi, cosine, sine), stated.equations)
