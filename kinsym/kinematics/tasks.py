@@ -49,6 +49,16 @@ def mobility(chain: Chain) -> int:
     return rank(_rows(chain, geometric_jacobian(chain, forward_kinematics(chain))))
 
 
+def task_rank(chain: Chain, jacobian: Jacobian, task: Task) -> int:
+    """In how many independent ways the joints change what the task fixes, at a general pose."""
+    rows = _rows(chain, jacobian)
+    if task is Task.POSITION:
+        return rank(rows[:3])
+    if task is Task.ORIENTATION:
+        return rank(rows[3:])
+    return rank(_position_and_axis(chain, jacobian, rows) if task is Task.POSITION_AXIS else rows)
+
+
 def rank(rows: list[list[int]]) -> int:
     """The rank of a matrix modulo the prime.
 

@@ -32,7 +32,7 @@ def candidates(view: View) -> Iterator[Candidate]:
             constant = ring.is_constant(parts[1])
             build = partial(_linear, state, equation, parts[1], rest)
             yield Candidate(LENGTH_COST if constant else QUOTIENT_COST, equation.terms, variable, build)
-        elif set(parts) <= {0, 1, 2} and not state.vanishes(parts[2]):
+        elif 2 in parts and set(parts) <= {0, 1, 2} and not state.vanishes(parts[2]):
             middle: Poly = parts.get(1, ring.zero)
             constant = ring.is_constant(parts[2])
             build = partial(
