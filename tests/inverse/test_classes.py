@@ -140,7 +140,9 @@ def test_the_blind_search_sees_a_missing_solution() -> None:
     reached = poses.blind(poses.T[0])
     own = poses.found[0][poses.valid[0]]
     assert len(own) > 1
-    lost = [i for i in range(len(own)) if any(poses.distance(np.delete(own, i, axis=0), q).min() > 1e-4 for q in reached)]
+    lost = [
+        i for i in range(len(own)) if any(poses.distance(np.delete(own, i, axis=0), q).min() > 1e-4 for q in reached)
+    ]
     assert lost
 
 

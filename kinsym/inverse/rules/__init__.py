@@ -9,6 +9,7 @@ from kinsym.inverse.rules import (
     homogeneous,
     lengths,
     linear,
+    linear_pole,
     sine_cosine,
     slides,
     square_and_add,
@@ -28,7 +29,7 @@ class Rule(Protocol):
         ...
 
 
-RULES: tuple[Rule, ...] = (sine_cosine, lengths, slides, homogeneous, triangle, linear)
+RULES: tuple[Rule, ...] = (sine_cosine, lengths, slides, homogeneous, triangle, linear_pole, linear)
 """In order of preference; the cost of a candidate decides."""
 
 LAST_RULES: tuple[Rule, ...] = (square_and_add, square_and_add_slide)
