@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import islice
 
-from kinsym.errors import KinsymError
+from kinsym.errors import DeadlineExceeded, RobotError
 from kinsym.inverse.neighbours import MEET, PARALLEL, Change, Miss, changes, paul_table
 from kinsym.inverse.state import FIXED, State
 from kinsym.kinematics.chain import Chain, build_chain
@@ -51,12 +52,18 @@ class Verdict:
         return next((change.misses for change in self.possible if change.effect == MEET), ())
 
     @cached_property
-    def remedies(self) -> tuple[Change, ...]:
-        """The least change that makes axes meet, and the least that makes them parallel, which give a closed form."""
-        result = []
-        for effect in (MEET, PARALLEL):
-            some = [change for change in self.possible if change.effect == effect][:TRIED]
-            result += [change for change in some if self._helps(change)][:1]
+    def remedies(self) -> tuple[Change, ...] | None:
+        """The least change that makes axes meet, and the least that makes them parallel, which give a closed form.
+
+        None where the deadline left no time to try them out.
+        """
+        result: list[Change] = []
+        try:
+            for effect in (MEET, PARALLEL):
+                some = [change for change in self.possible if change.effect == effect][:TRIED]
+                result += islice(filter(self._helps, some), 1)
+        except DeadlineExceeded:
+            return None
         return tuple(result)
 
     def _helps(self, change: Change) -> bool:
@@ -65,7 +72,7 @@ class Verdict:
         try:
             chain = build_chain(change.made(self.table))
             return mobility(chain) == len(chain.joints) and self.solves(chain, self.task)
-        except KinsymError:
+        except RobotError:
             return False
 
     @property
@@ -96,6 +103,8 @@ class Verdict:
         return reason + ", ".join(map(str, self.misses))
 
     def _remedy(self) -> str:
+        if self.remedies is None:
+            return ". No time was left to try out which change of the table would give one"
         if not self.remedies:
             return ". No single triple of axes that met or were parallel would give one"
         first, *more = (str(change) for change in self.remedies)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from kinsym.deadline import Deadline
 from kinsym.derivation import derive
 from kinsym.errors import NoClosedForm
 from kinsym.inverse.verdict import Verdict
@@ -60,6 +61,20 @@ def test_every_change_that_is_named_helps(table: str) -> None:
     assert found.remedies
     for change in found.remedies:
         assert derive(change.made(found.table)).plan.maximum >= 4
+
+
+def test_a_deadline_ends_the_trials_too() -> None:
+    robot = arm(GENERAL)
+    with pytest.raises(NoClosedForm) as caught:
+        derive(robot, deadline=20.0)
+    found = caught.value.verdict
+    assert isinstance(found, Verdict)
+
+    def late(chain: object, task: object) -> bool:
+        Deadline(1e-9).check()
+        return True
+
+    assert "No time was left" in str(Verdict(found.chain, found.task, found.left, found.found, late))
 
 
 def test_a_change_that_does_not_help_is_not_named() -> None:
