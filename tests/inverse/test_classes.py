@@ -18,13 +18,14 @@ import pytest
 from kinsym.derivation import Derivation, derive
 from kinsym.emit import TARGETS
 from kinsym.emit.program import build_schedule
-from kinsym.errors import NoClosedForm
+from kinsym.errors import NoClosedForm, RobotError
 from kinsym.kinematics.chain import build_chain
+from kinsym.kinematics.convert import convert
 from kinsym.kinematics.forward import forward_kinematics
 from kinsym.kinematics.jacobian import geometric_jacobian
 from kinsym.kinematics.tasks import fitting_task, task_rank
 from kinsym.robot.files import from_draft
-from kinsym.robot.model import Robot, Task
+from kinsym.robot.model import Convention, Robot, Task
 from tests.classes import CLASSES, arms
 
 WANTED, DRAWN = 3, 12
@@ -61,14 +62,15 @@ def robots(name: str) -> Iterator[Robot]:
 @cache
 def solved(name: str) -> tuple[tuple[Derivation, Any], ...]:
     """The derivations of some arms of a class and their NumPy modules."""
-    result = []
-    for robot in robots(name):
-        found = derive(robot)
-        module = types.ModuleType(name)
-        (source,) = TARGETS["numpy"](build_schedule(found)).values()
-        exec(compile(source, f"{name}.py", "exec"), module.__dict__)
-        result.append((found, module))
-    return tuple(result)
+    return tuple((found, module_of(found)) for found in map(derive, robots(name)))
+
+
+def module_of(found: Derivation) -> Any:
+    """The NumPy module of a derivation."""
+    module = types.ModuleType(found.robot.name)
+    (source,) = TARGETS["numpy"](build_schedule(found)).values()
+    exec(compile(source, "arm.py", "exec"), module.__dict__)
+    return module
 
 
 class Poses:
@@ -132,6 +134,28 @@ def test_random_arms_are_solved(name: str) -> None:
             own = poses.found[row][poses.valid[row]]
             for q in poses.blind(poses.T[row]):
                 assert poses.distance(own, q).min() < 1e-4, found.robot
+
+
+@pytest.mark.parametrize("name", ["meeting_tip", "meeting_middle", "meeting_tip_sliding", "elbow_wrist"])
+def test_the_same_arms_as_screws(name: str) -> None:
+    """Axes that meet, given by points anywhere on them, as in the table of rows."""
+    tried = 0
+    for found, module in solved(name):
+        try:
+            robot = convert(found.robot, Convention.SCREW)
+            build_chain(robot)
+        except RobotError:
+            continue
+        tried += 1
+        screws = derive(robot)
+        assert screws.plan.maximum == found.plan.maximum
+        poses = Poses(screws, module_of(screws))
+        known = np.where(poses.valid, poses.distance(poses.found, poses.q[:, None]), np.inf)
+        assert known.min(axis=1).max() < 1e-6, robot
+        assert (
+            np.abs(poses.module.fk(poses.q, **poses.parameters) - module.fk(poses.q, **poses.parameters)).max() < 1e-9
+        )
+    assert tried
 
 
 def test_the_blind_search_sees_a_missing_solution() -> None:

@@ -14,9 +14,7 @@ from kinsym.robot.model import Convention, Robot
 GENERAL = (
     "pi/2 a1 l1 theta1; pi/2 a2 l2 theta2; pi/2 a3 l3 theta3; pi/2 a4 l4 theta4; pi/2 a5 l5 theta5; 0 a6 l6 theta6"
 )
-OFFSET_WRIST = (
-    "pi/2 0 l1 theta1; 0 a2 0 theta2; pi/2 0 0 theta3; -pi/2 0 l4 theta4; pi/2 0 0.1 theta5; 0 0 l6 theta6"
-)
+OFFSET_WRIST = "pi/2 0 l1 theta1; 0 a2 0 theta2; pi/2 0 0 theta3; -pi/2 0 l4 theta4; pi/2 0 0.1 theta5; 0 0 l6 theta6"
 
 
 def arm(table: str, convention: str = "paul") -> Robot:
