@@ -217,8 +217,8 @@ def elbow_wrist(random: Random) -> str:
     return arm.text()
 
 
-def two_pairs(random: Random) -> str:
-    """Axes 2, 3, 4 parallel up to an offset wrist whose last two axes meet, as in cobots of UR's kind."""
+def parallel_and_pairs(random: Random) -> str:
+    """Axes 2, 3, 4 parallel between two pairs that meet, as in cobots of UR's kind."""
     return Arm(random, "RRRRRR").parallel(2).pair(1).pair(5).text()
 
 
@@ -296,7 +296,7 @@ CLASSES: dict[str, Callable[[Random], str]] = {
         spherical_wrist,
         scara_wrist,
         elbow_wrist,
-        two_pairs,
+        parallel_and_pairs,
         planar,
         position,
         orientation,
