@@ -88,6 +88,9 @@ def _add_table(command: argparse.ArgumentParser) -> None:
         "--bind", metavar="NAME=VALUE", action="append", default=[], help="fold a parameter's number in (repeatable)"
     )
     command.add_argument(
+        "--deadline", metavar="SECONDS", type=float, help="give the derivation up after this time (default: no limit)"
+    )
+    command.add_argument(
         "--lock",
         metavar="JOINT[=VALUE]",
         action="append",

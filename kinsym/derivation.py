@@ -7,6 +7,7 @@ from functools import cached_property
 
 from kinsym.algebra.convert import tree_of
 from kinsym.algebra.tree import Definition
+from kinsym.deadline import Deadline
 from kinsym.inverse.assemble import arm_size
 from kinsym.inverse.families import Family, families
 from kinsym.inverse.locks import check_redundancy
@@ -68,24 +69,26 @@ class Derivation:
         return families(self.solved, self.singular, self.plan)
 
 
-def derive(robot: Robot, *, task: Task | None = None) -> Derivation:
+def derive(robot: Robot, *, task: Task | None = None, deadline: float | None = None) -> Derivation:
     """Derive forward kinematics, Jacobian and inverse kinematics of a robot.
 
-    Raises :class:`kinsym.errors.NoClosedForm` where no rule applies, and where the arm has more joints than the task
-    can tell, with the joints to lock.
+    ``deadline`` is the time in seconds that it may take (default: no limit). Raises
+    :class:`kinsym.errors.NoClosedForm` where no rule applies, and where the arm has more joints than the task can tell,
+    with the joints to lock; :class:`kinsym.errors.DeadlineExceeded` when the time is over.
 
     >>> from kinsym.robot import load
     >>> derive(load("puma560")).plan.maximum
     8
     """
+    limit = Deadline(deadline)
     chain = build_chain(robot)
     forward = forward_kinematics(chain)
     jacobian = geometric_jacobian(chain, forward)
     solved = chain_to_solve(robot) if robot.locks else chain
     chosen = task or robot.task or fitting_task(chain, solved)
     robot = replace(robot, task=chosen)
-    check_redundancy(robot, solved)
-    plan = replace(derive_plan(solved, chosen), size=arm_size(chain))
+    check_redundancy(robot, solved, limit)
+    plan = replace(derive_plan(solved, chosen, limit), size=arm_size(chain))
     return Derivation(robot=robot, chain=chain, solved=solved, forward=forward, jacobian=jacobian, plan=plan)
 
 

@@ -27,9 +27,21 @@ class OutputError(KinsymError):
 
 
 class NoClosedForm(KinsymError):
-    """The search ended without a plan; the message names what is left and which geometry blocks it."""
+    """The search ended without a plan; the message names what is left and which geometry blocks it.
+
+    ``verdict`` is the same as data (:class:`kinsym.inverse.verdict.Verdict`) or the message itself; what would help is
+    worked out when it is read.
+    """
 
     exit_status = 1
+
+    def __init__(self, verdict: object) -> None:
+        self.verdict = verdict
+        super().__init__(verdict)
+
+
+class DeadlineExceeded(KinsymError):
+    """The derivation took longer than the user allows; the message says what was reached."""
 
 
 class CheckFailed(KinsymError):

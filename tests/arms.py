@@ -49,6 +49,16 @@ SHAPES = {
     "pi/2 a4 d4 theta4; pi/2 a5 d5 theta5; 0 a6 d6 theta6",
     "meeting_345": "pi/2 a1 d1 theta1; pi/2 a2 d2 theta2; pi/2 0 d3 theta3; "
     "pi/2 0 0 theta4; pi/2 a5 d5 theta5; 0 a6 d6 theta6",
+    "sliding_rpr": "deg(60) a1 l1 theta1; deg(30) a2 d2 0; deg(45) a3 l3 theta3; "
+    "-pi/2 0 l4 theta4; pi/2 0 0 theta5; 0 0 l6 theta6",
+    "sliding_rrp": "deg(60) a1 l1 theta1; deg(45) a2 l2 theta2; deg(30) a3 d3 0; "
+    "-pi/2 0 l4 theta4; pi/2 0 0 theta5; 0 0 l6 theta6",
+    "sliding_prp": "deg(60) a1 d1 0; pi/2 a2 l2 theta2; deg(45) a3 d3 0; "
+    "-pi/2 0 l4 theta4; pi/2 0 0 theta5; 0 0 l6 theta6",
+    "sliding_ends": "pi/2 a1 d1 0; pi/2 0 l2 theta2; pi/2 0 0 theta3; "
+    "deg(45) a4 l4 theta4; deg(45) a5 d5 0; 0 0 0 theta6",
+    "slides_between": "pi/2 a1 l1 theta1; deg(30) a2 d2 0; deg(60) a3 l3 theta3; "
+    "pi/2 a4 d4 0; deg(45) a5 l5 theta5; 0 a6 d6 0",
     "five_joints": "pi/2 0 d1 theta1; 0 a2 0 theta2; pi/2 0 0 theta3; -pi/2 0 d4 theta4; 0 0 d5 theta5",
 }
 """Paul tables, cells alpha a d theta."""

@@ -9,14 +9,18 @@ from pathlib import Path
 
 import pytest
 
+from kinsym.robot import to_toml
+from tests.arms import robot
+
 ROOT = Path(__file__).resolve().parent.parent
 ROBOTS = ("puma560", "scara", "elbow_6r_screw")
+SHAPE_NAMES = ("sliding_rrp", "slides_between")
 
 
-def derived(robot: str, folder: Path, **environment: str) -> dict[str, bytes]:
+def derived(table: str, folder: Path, **environment: str) -> dict[str, bytes]:
     """What a fresh interpreter writes for a robot."""
     subprocess.run(
-        [sys.executable, "-m", "kinsym", "derive", robot, "-o", str(folder), "--no-check", "--quiet"],
+        [sys.executable, "-m", "kinsym", "derive", table, "-o", str(folder), "--no-check", "--quiet"],
         check=True,
         cwd=ROOT,
         env={**os.environ, **environment},
@@ -24,12 +28,22 @@ def derived(robot: str, folder: Path, **environment: str) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
 
 
-@pytest.mark.parametrize("robot", ROBOTS)
-def test_hashes_and_arithmetic_leave_no_trace(robot: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", ROBOTS)
+def test_hashes_and_arithmetic_leave_no_trace(name: str, tmp_path: Path) -> None:
     """SymPy takes its rationals from python-flint where it is installed; SYMPY_GROUND_TYPES forbids or demands it."""
-    plain = derived(robot, tmp_path / "plain", PYTHONHASHSEED="0", SYMPY_GROUND_TYPES="python")
+    plain = derived(name, tmp_path / "plain", PYTHONHASHSEED="0", SYMPY_GROUND_TYPES="python")
     assert len(plain) == 5
-    flint = derived(robot, tmp_path / "flint", PYTHONHASHSEED="1", SYMPY_GROUND_TYPES="flint")
+    flint = derived(name, tmp_path / "flint", PYTHONHASHSEED="1", SYMPY_GROUND_TYPES="flint")
+    assert flint == plain
+
+
+@pytest.mark.parametrize("name", SHAPE_NAMES)
+def test_the_same_of_arms_that_slide(name: str, tmp_path: Path) -> None:
+    """They go through the last stage of the search."""
+    file = tmp_path / f"{name}.toml"
+    file.write_text(to_toml(robot(name)))
+    plain = derived(str(file), tmp_path / "plain", PYTHONHASHSEED="0", SYMPY_GROUND_TYPES="python")
+    flint = derived(str(file), tmp_path / "flint", PYTHONHASHSEED="1", SYMPY_GROUND_TYPES="flint")
     assert flint == plain
 
 

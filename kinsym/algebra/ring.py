@@ -82,21 +82,26 @@ class Ring:
     def reduce(self, poly: Poly) -> Poly:
         """The normal form: no generator with a known square occurs to a power above one."""
         squares = self._squares
-        if not any(exponent > 1 for monomial in poly for exponent in monomial):
-            return poly
-        result = self.zero
-        for monomial, coefficient in poly.terms():
-            high = [i for i, exponent in enumerate(monomial) if exponent > 1 and i in squares]
-            if not high:
-                result += self.ring.term_new(monomial, coefficient)
-                continue
-            rest = list(monomial)
-            factor = self.one
-            for i in high:
-                rest[i] = monomial[i] % 2
-                factor *= squares[i] ** (monomial[i] // 2)
-            result += factor.mul_term((tuple(rest), coefficient))
-        return self.reduce(result) if any(e > 1 and i in squares for m in result for i, e in enumerate(m)) else result
+        while any(max(monomial, default=0) > 1 for monomial in poly):
+            result = self.ring.zero
+            changed = False
+            for monomial, coefficient in poly.terms():
+                high = () if max(monomial, default=0) < 2 else [i for i in squares if monomial[i] > 1]
+                if not high:
+                    _add_term(result, monomial, coefficient)
+                    continue
+                changed = True
+                rest = list(monomial)
+                factor = self.one
+                for i in high:
+                    rest[i] = monomial[i] % 2
+                    factor *= squares[i] ** (monomial[i] // 2)
+                for shifted, product in factor.mul_term((tuple(rest), coefficient)).terms():
+                    _add_term(result, shifted, product)
+            if not changed:
+                break
+            poly = result
+        return poly
 
     def mul(self, left: Poly, right: Poly) -> Poly:
         """The reduced product."""
@@ -152,6 +157,15 @@ class Ring:
         """Whether only constants of the table and parameters occur."""
         kinds = {Kind.CONSTANT, Kind.PARAMETER}
         return all(self.generators[self.index[name]].kind in kinds for name in self.used(poly))
+
+
+def _add_term(poly: Poly, monomial: tuple[int, ...], coefficient: Any) -> None:
+    """Add one term in place."""
+    total = poly.get(monomial, 0) + coefficient
+    if total:
+        poly[monomial] = total
+    else:
+        poly.pop(monomial, None)
 
 
 def fraction(coefficient: object) -> Fraction:

@@ -12,6 +12,8 @@ from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
+from kinsym.check.pole import linear_pole
+
 Value = Any
 Inputs = Mapping[str, Value]
 Root = tuple[Value, ...]
@@ -248,6 +250,7 @@ KERNELS: dict[str, Callable[[Any, Inputs, Value], list[Root]]] = {
     "homogeneous": homogeneous,
     "homogeneous2": homogeneous2,
     "linear": linear,
+    "linear_pole": linear_pole,
     "triangle": triangle,
     "direction": direction,
     "quadratic": quadratic,

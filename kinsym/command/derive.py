@@ -26,7 +26,7 @@ def derive(options: argparse.Namespace, screen: Screen) -> int:
     say_notes(robot, screen)
     screen.flush()
     screen.stage(f"deriving {robot.name}")
-    derivation = derivation_of(robot)
+    derivation = derivation_of(robot, deadline=options.deadline)
     screen.say(equations(derivation, width=screen.width, ascii=screen.ascii))
     screen.flush()
     screen.stage("writing the sources")

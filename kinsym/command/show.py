@@ -15,5 +15,6 @@ def show(options: argparse.Namespace, screen: Screen) -> int:
 
     robot = robot_of(options)
     say_notes(robot, screen)
-    screen.say(equations(derive(robot), width=screen.width, ascii=screen.ascii, full=options.full).rstrip("\n"))
+    derivation = derive(robot, deadline=options.deadline)
+    screen.say(equations(derivation, width=screen.width, ascii=screen.ascii, full=options.full).rstrip("\n"))
     return 0

@@ -48,6 +48,7 @@ _KERNELS = {
     "homogeneous": Operations(1, 2, 2, 1),
     "homogeneous2": Operations(2, 6, 2, 2),
     "linear": Operations(7, 8, 4, 2),
+    "linear_pole": Operations(8, 11, 7, 1),
     "triangle": Operations(12, 14, 3, 1),
     "direction": Operations(4, 9, 2, 1),
     "quadratic": Operations(3, 1, 0, 1),

@@ -19,10 +19,10 @@ IN_A_PLANE = (Task.PLANAR, Task.SCARA)
 """Tasks whose pose must lie in the plane of the arm, which their equations do not state."""
 
 
-def assemble(chain: Chain, task: Task, items: tuple[Item, ...]) -> Plan:
-    """The plan of a finished search."""
+def assemble(chain: Chain, task: Task, items: tuple[Item, ...], unread: tuple[str, ...] = ()) -> Plan:
+    """The plan of a finished search; of the joints in ``unread`` nobody wants the value."""
     items, known = _with_sums(chain, items)
-    values = tuple(_joint_values(chain, known))
+    values = tuple(value for value in _joint_values(chain, known) if value.variable not in unread)
     items = _used(items, {name for value in values for name in symbols(value.value)})
     maximum = 1
     for item in items:
@@ -136,6 +136,8 @@ def _used(items: tuple[Item, ...], wanted: set[str]) -> tuple[Item, ...]:
                 result.append(replace(item, definitions=tuple(kept)))
             continue
         if isinstance(item, Definition) and item.name not in wanted:
+            continue
+        if isinstance(item, Step) and item.branches == 1 and not wanted.intersection(_writes(item)):
             continue
         wanted.update(_reads(item))
         result.append(item)

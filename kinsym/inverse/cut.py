@@ -68,6 +68,29 @@ class Cut:
             vector = move.direction(vector)
         return vector
 
+    @property
+    def skew(self) -> bool:
+        """Whether slides after the last revolute axis have turned the last frame away from it."""
+        x, y, _ = self._axis()
+        return bool(x or y)
+
+    def left_axis(self) -> Vector:
+        """The direction of the last revolute axis on the right, from the columns of the left side."""
+        columns = [self.left_column(column) for column in "uvw"]
+        x, y, z = (self.ring.dot(self._axis(), row) for row in zip(*columns, strict=True))
+        return x, y, z
+
+    def right_axis(self) -> Vector:
+        """The same from the joints before it; it does not turn about itself."""
+        vector = self._unit("w")
+        for move in reversed(self.inside[:-1]):
+            vector = move.direction(vector)
+        return vector
+
+    def _axis(self) -> Vector:
+        """The axis of the last group of the right side in the last frame."""
+        return self.inside[-1].group.turned[2]
+
     def left_point(self) -> Vector:
         """Column p of the left side."""
         tip, _ = self._tip()

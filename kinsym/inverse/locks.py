@@ -10,6 +10,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import combinations
 
+from kinsym.deadline import Deadline
+from kinsym.inverse.state import NO_LIMIT
 from kinsym.errors import NoClosedForm
 from kinsym.inverse.plan import Plan
 from kinsym.inverse.search import derive_plan
@@ -40,7 +42,7 @@ class Choice:
         return f"{' and '.join(self.joints)} ({count} solution{'s' if count > 1 else ''})"
 
 
-def check_redundancy(robot: Robot, chain: Chain) -> None:
+def check_redundancy(robot: Robot, chain: Chain, deadline: Deadline = NO_LIMIT) -> None:
     """Raise :class:`NoClosedForm` if the joints of ``chain`` are more than the robot's task can tell.
 
     The message names the joints whose lock leaves a closed form, and the command for the best of them.
@@ -58,7 +60,7 @@ def check_redundancy(robot: Robot, chain: Chain) -> None:
         head = f"the {what} move the end effector in only {ways} independent ways, at every pose"
     head += f", so {spare} must be locked: as an input of the solver, or at a value"
     tried = _tries(robot, rows, spare)
-    found = [Choice(joints, plan) for joints in tried if (plan := _plan(_locked(robot, joints), task))]
+    found = [Choice(joints, plan) for joints in tried if (plan := _plan(_locked(robot, joints), task, deadline))]
     if not found:
         raise NoClosedForm(f"{head}. No closed form was found with {_listed(sorted(map(' and '.join, tried)))} locked")
     best = min(found, key=lambda choice: choice.order)
@@ -92,9 +94,9 @@ def _locked(robot: Robot, joints: tuple[str, ...]) -> Robot:
     return replace(robot, locks={name: locks[name] for name in robot.variables if name in locks})
 
 
-def _plan(robot: Robot, task: Task) -> Plan | None:
+def _plan(robot: Robot, task: Task, deadline: Deadline) -> Plan | None:
     try:
-        return derive_plan(chain_to_solve(robot), task, budget=BUDGET)
+        return derive_plan(chain_to_solve(robot), task, deadline, budget=BUDGET)
     except NoClosedForm:
         return None
 

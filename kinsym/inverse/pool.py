@@ -83,6 +83,9 @@ class Pool:
                     yield left, right, 0, f"row {row}, column {column}"
         if cut.first == cut.stop:
             return
+        if "uvw" in columns and cut.skew:
+            for row, left, right in zip(ROWS, cut.left_axis(), cut.right_axis(), strict=True):
+                yield left, right, 0, f"row {row}, direction of the last axis"
         if columns == "uvwp":
             for row, left, right in zip(ROWS, cut.left_origin(), cut.right_origin(), strict=True):
                 yield left, right, 1, f"row {row}, column p of the inverse"

@@ -6,20 +6,27 @@ BUDGET states in all, so that the verdict comes in bounded time and in the same 
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import islice
 
+from kinsym.deadline import Deadline
 from kinsym.errors import NoClosedForm
 from kinsym.inverse.assemble import assemble
 from kinsym.inverse.plan import Item, Plan
 from kinsym.inverse.pool import Pool, PoolEquation
-from kinsym.inverse.rules import LAST_RULES, RULES
+from kinsym.inverse.rules import LAST_RULES, RULES, Rule
 from kinsym.inverse.rules.base import Candidate, Names, View
-from kinsym.inverse.state import State, shortened, start
+from kinsym.inverse.spin import frame_about, spin_name, without
+from kinsym.inverse.state import FIXED, NO_LIMIT, State, shortened, start
+from kinsym.inverse.substitution import substituted
 from kinsym.inverse.verdict import verdict
-from kinsym.kinematics.chain import Chain
+from kinsym.kinematics.chain import Chain, chain_to_solve
 from kinsym.robot.model import Task
 
 BUDGET = 60
+TRIAL = 15
+"""States that are spent on an arm of which only is asked whether it has a closed form."""
 WIDTH = 3
 
 
@@ -38,7 +45,8 @@ class _Search:
             return items
         if self.deepest is None or len(left) < len(self.deepest.known.unknowns()):
             self.deepest = state
-        for candidate in ranked(state)[:WIDTH]:
+        state.deadline.note(reached(self.deepest))
+        for candidate in islice(ranked(state), WIDTH):
             if self.budget <= 0:
                 return None
             self.budget -= 1
@@ -50,34 +58,75 @@ class _Search:
         return None
 
 
-def ranked(state: State) -> list[Candidate]:
+def ranked(state: State) -> Iterator[Candidate]:
     """The candidates of a state, best first, one for each unknown and cost.
 
-    The dearest rules are asked only if the others propose fewer than are ever tried.
+    The dearest rules are asked only when the others lead nowhere.
     """
+    seen: set[tuple[int, str]] = set()
+    for rules, view in _stages(state):
+        found: list[Candidate] = []
+        for rule in rules:
+            for candidate in rule.candidates(view):
+                state.deadline.check()
+                found.append(candidate)
+        for candidate in sorted(found, key=lambda c: c.order):
+            if (candidate.cost, candidate.unknown) not in seen:
+                seen.add((candidate.cost, candidate.unknown))
+                yield candidate
+
+
+def _stages(state: State) -> Iterator[tuple[Sequence[Rule], View]]:
+    """Rules with what they look at, the dearest last: equations of the pool, then those without some length."""
     pool = Pool(state)
-    equations: list[PoolEquation] = []
+    everything: list[PoolEquation] = []
     for cut in pool.cuts():
-        equations += [equation for equation in pool.equations(cut) if equation.unknowns <= 2]
-    view = View(state, equations)
-    best: dict[tuple[int, str], Candidate] = {}
-    for rules in (RULES, LAST_RULES):
-        found = sorted((c for rule in rules for c in rule.candidates(view)), key=lambda c: c.order)
-        for candidate in found:
-            best.setdefault((candidate.cost, candidate.unknown), candidate)
-        if len(best) >= WIDTH:
-            break
-    return list(best.values())
+        state.deadline.check()
+        everything += pool.equations(cut)
+    view = View(state, [equation for equation in everything if equation.unknowns <= 2 or not equation.angles])
+    yield RULES, view
+    yield LAST_RULES, view
+    fewer = substituted(state, everything)
+    if fewer:
+        yield (*RULES, *LAST_RULES), View(state, fewer)
 
 
-def derive_plan(chain: Chain, task: Task, *, budget: int = BUDGET) -> Plan:
+def reached(state: State) -> str:
+    """How far the search has come at best."""
+    left = state.known.unknowns()
+    found = [joint.variable for joint in state.chain.joints if joint.variable not in left]
+    return f"{', '.join(found)} found, {', '.join(left)} left" if found else f"no way yet to {', '.join(left)}"
+
+
+def derive_plan(chain: Chain, task: Task, deadline: Deadline = NO_LIMIT, *, budget: int = BUDGET) -> Plan:
     """The inverse kinematics of a chain for a task; ``budget`` is the number of states to try.
 
-    Raises :class:`NoClosedForm` with the joints that are left and the geometry that blocks them.
+    Raises :class:`NoClosedForm` with the joints that are left and the geometry that blocks them, and
+    :class:`kinsym.errors.DeadlineExceeded` when the time is over.
     """
-    state, window = start(chain, task)
+    plan, state = _plan(chain, task, deadline, budget)
+    if plan is None:
+        raise NoClosedForm(verdict(state, lambda other, task: _plan(other, task, deadline, TRIAL)[0] is not None))
+    return plan
+
+
+def _plan(chain: Chain, task: Task, deadline: Deadline, budget: int) -> tuple[Plan | None, State]:
+    """The plan, or None, and the state that came farthest."""
+    state, window = start(chain, task, deadline)
     search = _Search(budget)
     items = search.run(state, Names(set(chain.ring.index)), (window,) if window else ())
-    if items is None:
-        raise NoClosedForm(verdict(search.deepest or state))
-    return assemble(chain, task, items)
+    plan = None if items is None else assemble(chain, task, items)
+    if plan is None and task is Task.POSITION_AXIS and len(chain.joints) == FIXED[task]:
+        plan = _with_spin(chain, deadline, budget)
+    return plan, search.deepest or state
+
+
+def _with_spin(chain: Chain, deadline: Deadline, budget: int) -> Plan | None:
+    """Position and axis as a whole pose of the arm with a joint more, see :mod:`kinsym.inverse.spin`."""
+    name = spin_name(chain)
+    spun = chain_to_solve(chain.robot, name)
+    names = Names({*spun.ring.index, *chain.ring.index})
+    frame, entries = frame_about(names)
+    state, window = start(spun, Task.POSE, deadline, entries)
+    items = _Search(budget).run(state, names, (*frame, *((window,) if window else ())))
+    return None if items is None else without(assemble(spun, Task.POSE, items, unread=(name,)), chain, name)

@@ -8,18 +8,23 @@ one; ``names`` says what they are called.
 from __future__ import annotations
 
 import random
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
+from types import MappingProxyType
 
 from kinsym.algebra.nested import nested
 from kinsym.algebra.ring import POSE_ENTRIES, Poly, Vector, apply, plus, transpose
 from kinsym.algebra.tree import Definition, Num, Sym, Tree, negated
+from kinsym.deadline import Deadline
 from kinsym.inverse.knowledge import Knowledge
 from kinsym.inverse.plan import Window
 from kinsym.kinematics.chain import Chain, Group
 from kinsym.kinematics.links import Rigid
 from kinsym.kinematics.moves import Moves
 from kinsym.robot.model import Robot, Task
+
+NO_LIMIT = Deadline(None)
 
 POINTS = 3
 """Random points modulo the prime at which a polynomial must vanish to be called zero."""
@@ -56,7 +61,10 @@ def span(robot: Robot, task: Task) -> tuple[int, int]:
 
 @dataclass(frozen=True)
 class State:
-    """The remaining arm: groups ``first`` to ``end`` (exclusive), and the names of the pose entries."""
+    """The remaining arm: groups ``first`` to ``end`` (exclusive), and the names of the pose entries.
+
+    ``deadline`` is looked at by whatever takes long with a state.
+    """
 
     chain: Chain
     task: Task
@@ -64,6 +72,7 @@ class State:
     first: int
     end: int
     names: dict[str, Tree]
+    deadline: Deadline = NO_LIMIT
 
     @property
     def columns(self) -> str:
@@ -125,6 +134,7 @@ class State:
         units = {"u": (one, zero, zero), "v": (zero, one, zero), "w": (zero, zero, one)}
         columns: dict[str, Vector] = {}
         for name in "uvwp":
+            self.deadline.check()
             vector = units.get(name, (zero, zero, zero))
             for group in reversed(self.groups):
                 move = Moves(ring, group, self.chain.turn)
@@ -159,10 +169,15 @@ class State:
         return f"T_{self.left}_{self.right}"
 
 
-def start(chain: Chain, task: Task) -> tuple[State, Window | None]:
-    """The whole arm; constants before the first and after the last joint are moved to the pose at once."""
-    names: dict[str, Tree] = {entry: Sym(entry) for entry in POSE_ENTRIES}
-    state = State(chain, task, Knowledge(chain), 0, len(chain.groups), names)
+def start(
+    chain: Chain, task: Task, deadline: Deadline = NO_LIMIT, given: Mapping[str, Tree] = MappingProxyType({})
+) -> tuple[State, Window | None]:
+    """The whole arm; constants before the first and after the last joint are moved to the pose at once.
+
+    ``given`` says what entries of the pose are called if not by their own names.
+    """
+    names: dict[str, Tree] = {entry: given.get(entry, Sym(entry)) for entry in POSE_ENTRIES}
+    state = State(chain, task, Knowledge(chain), 0, len(chain.groups), names, deadline)
     after = chain.groups[-1].trail if state.oriented else Rigid.unit(chain.ring)
     before = chain.base.inverse(chain.ring)
     after = after.inverse(chain.ring)

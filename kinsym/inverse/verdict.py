@@ -1,73 +1,115 @@
-"""Why there is no closed form: which joints are left, and which axes fail to meet.
-
-Three consecutive axes i, i+1, i+2 meet in a point if a_i = a_{i+1} = 0 and d_{i+1} = 0 in Paul's table (Pieper 1968);
-the triple that misses by the fewest lengths is the one worth naming.
-"""
+"""Why there is no closed form: what is left, which axes fail to meet, what degree remains, what would help."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import islice
 
-from sympy import Expr
-
-from kinsym.errors import RobotError
-from kinsym.inverse.state import FIXED, State
-from kinsym.kinematics.convert import paul_rows
+from kinsym.errors import DeadlineExceeded, RobotError
+from kinsym.inverse.neighbours import MEET, PARALLEL, Change, Miss, changes, paul_table
+from kinsym.inverse.state import State
+from kinsym.kinematics.chain import Chain, build_chain
 from kinsym.kinematics.tasks import mobility
+from kinsym.robot.model import Robot, Task
+
+DEGREES = {0: 16, 1: 16, 2: 8, 3: 2}
+"""Solutions at most of an arm with six joints by the number of prismatic ones (Raghavan and Roth 1993)."""
+TRIED = 2
+"""How many changes of each kind are tried out."""
+
+Solves = Callable[[Chain, Task], bool]
 
 
 @dataclass(frozen=True)
-class Miss:
-    """Two axes that miss each other by a length of the table."""
+class Verdict:
+    """The answer where no rule applies; ``str(verdict)`` is the message.
 
-    first: int
-    second: int
-    length: Expr
+    ``left`` and ``found`` are joint variables of the search that came farthest. What would help is computed, and tried
+    out with ``solves``, only when it is asked for.
+    """
+
+    chain: Chain
+    task: Task
+    left: tuple[str, ...]
+    found: tuple[str, ...]
+    solves: Solves = field(repr=False, compare=False)
+
+    @cached_property
+    def table(self) -> Robot | None:
+        """The arm as Paul's rows, None where they cannot be written exactly."""
+        return paul_table(self.chain)
+
+    @cached_property
+    def possible(self) -> tuple[Change, ...]:
+        """The changes that make three consecutive axes meet or parallel, the least first."""
+        return tuple(changes(self.table, self.chain.numbers)) if self.table is not None else ()
+
+    @property
+    def misses(self) -> tuple[Miss, ...]:
+        """What keeps the best triple of axes from meeting."""
+        return next((change.misses for change in self.possible if change.effect == MEET), ())
+
+    @cached_property
+    def remedies(self) -> tuple[Change, ...] | None:
+        """The least change that makes axes meet, and the least that makes them parallel, which give a closed form.
+
+        None where the deadline left no time to try them out.
+        """
+        result: list[Change] = []
+        try:
+            for effect in (MEET, PARALLEL):
+                some = [change for change in self.possible if change.effect == effect][:TRIED]
+                result += islice(filter(self._helps, some), 1)
+        except DeadlineExceeded:
+            return None
+        return tuple(result)
+
+    def _helps(self, change: Change) -> bool:
+        if self.table is None:
+            return False
+        try:
+            chain = build_chain(change.made(self.table))
+            return mobility(chain) == len(chain.joints) and self.solves(chain, self.task)
+        except RobotError:
+            return False
+
+    @property
+    def degree(self) -> int | None:
+        """How many solutions an arm with these joints has at most; None where that is not known."""
+        count, sliding = len(self.chain.joints), sum(joint.kind == "P" for joint in self.chain.joints)
+        six = (count == 6 and self.task is Task.POSE) or (count == 5 and self.task is Task.POSITION_AXIS)
+        return DEGREES.get(sliding) if six else None
 
     def __str__(self) -> str:
-        return f"axes {self.first} and {self.second} miss by {self.length}"
+        head = f"no closed form for {', '.join(self.left)}"
+        if self.found:
+            head += f" ({', '.join(self.found)} can be found)"
+        return f"{head}: {self._because()}{self._remedy()}{self._remains()}"
+
+    def _because(self) -> str:
+        if not self.misses:
+            return "no rule applies to the equations that are left"
+        reason = "no three consecutive axes meet or are parallel in a way that separates the joints: "
+        return reason + ", ".join(map(str, self.misses))
+
+    def _remedy(self) -> str:
+        if self.remedies is None:
+            return ". No time was left to try out which change of the table would give one"
+        if not self.remedies:
+            return ". No single triple of axes that met or were parallel would give one"
+        first, *more = (str(change) for change in self.remedies)
+        return f". {first[0].upper()}{first[1:]}{''.join(f', or {change}' for change in more)}: that has a closed form"
+
+    def _remains(self) -> str:
+        if self.degree is None:
+            return ""
+        return f". In general such an arm has up to {self.degree} solutions, the roots of one polynomial of that degree"
 
 
-def verdict(state: State) -> str:
-    """One message: what was found, what is left, what blocks it and what would help."""
-    chain = state.chain
+def verdict(state: State, solves: Solves) -> Verdict:
+    """The verdict on a search that ended at a state; ``solves`` tells whether another arm has a closed form."""
     left = state.known.unknowns()
-    found = [joint.variable for joint in chain.joints if joint.variable not in left]
-    head = f"no closed form for {', '.join(left)}"
-    if found:
-        head += f" ({', '.join(found)} can be found)"
-    count, fixed = len(chain.joints), FIXED[state.task]
-    if count > fixed:
-        reason = f"{count} joints are more than the {fixed} that the task {state.task.value} fixes"
-        return f"{head}: {reason}. Make {count - fixed} of them constant, or give a task with more equations"
-    ways = mobility(chain)
-    if ways < count:
-        reason = f"the {count} joints move the end effector in only {ways} independent ways, at every pose"
-        return f"{head}: {reason}. Make {count - ways} of the joints constant that others repeat"
-    misses = blocking(state)
-    if not misses:
-        return f"{head}: no rule applies to the equations that are left. Three consecutive axes that meet would help"
-    numbers = [number for miss in misses for number in (miss.first, miss.second)]
-    axes = ", ".join(map(str, range(min(numbers), max(numbers) + 1)))
-    zeros = " = ".join(dict.fromkeys(str(miss.length) for miss in misses))
-    reason = "no three consecutive axes meet or are parallel in a way that separates the joints: "
-    return f"{head}: {reason}{', '.join(map(str, misses))}. With {zeros} = 0 axes {axes} would meet"
-
-
-def blocking(state: State) -> list[Miss]:
-    """The lengths that keep the best triple of axes from meeting."""
-    try:
-        rows = paul_rows(state.chain)
-    except RobotError:
-        return []
-    triples: list[list[Miss]] = []
-    for i in range(len(rows) - 2):
-        if any(row.kind == "P" for row in rows[i : i + 3]):
-            continue
-        lengths = ((i, i + 1, rows[i].a), (i + 1, i + 2, rows[i + 1].a), (i, i + 2, rows[i + 1].d))
-        number = state.chain.numbers
-        triples.append(
-            [Miss(number[first], number[second], length) for first, second, length in lengths if length != 0]
-        )
-    triples = [triple for triple in triples if triple]
-    return min(reversed(triples), key=len, default=[])
+    found = tuple(joint.variable for joint in state.chain.joints if joint.variable not in left)
+    return Verdict(state.chain, state.task, left, found, solves)

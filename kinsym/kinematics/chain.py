@@ -123,12 +123,15 @@ def build_chain(robot: Robot) -> Chain:
     return _chain(robot, {})
 
 
-def chain_to_solve(robot: Robot) -> Chain:
-    """The chain of the joints that the inverse kinematics solves for; a locked joint is part of a constant."""
-    return _chain(robot, robot.locks)
+def chain_to_solve(robot: Robot, spin: str | None = None) -> Chain:
+    """The chain of the joints that the inverse kinematics solves for; a locked joint is part of a constant.
+
+    With ``spin``, one more joint of that name turns about the z axis of the end frame.
+    """
+    return _chain(robot, robot.locks, spin)
 
 
-def _chain(robot: Robot, locks: Mapping[str, Expr | None]) -> Chain:
+def _chain(robot: Robot, locks: Mapping[str, Expr | None], spin: str | None = None) -> Chain:
     robot = replace(robot, locks=dict(locks))
     slides = {joint.variable for joint in robot.moving if joint.kind == "P"}
     lengths = [name for name, value in locks.items() if value is None and name in slides]
@@ -140,9 +143,11 @@ def _chain(robot: Robot, locks: Mapping[str, Expr | None]) -> Chain:
     # With a locked joint among them the entries would stand for something else than in the forward kinematics.
     framed = (robot.base and robot.unlocked[0] == 1, robot.tool and robot.unlocked[-1] == len(robot.variables))
     ends = {"base": head if framed[0] else None, "end": body[-1].after if framed[1] else None}
+    extra = () if spin is None else (spin,)
     for place, transform in ends.items():
         for name, entry in transform.entries(place) if transform else ():
             constants.note_entry(plain, entry, name)
+    body += tuple(Motion(name, "R", 1, Rigid.unit(plain)) for name in extra)
     runs = _runs(plain, body)
     digits = shorthand(robot.variables)
 
@@ -159,10 +164,12 @@ def _chain(robot: Robot, locks: Mapping[str, Expr | None]) -> Chain:
     base, joints = with_locks(ring, constants, robot, *motions(ring, constants, robot))
     base = base.named(ring, "base")
     joints = (*joints[:-1], replace(joints[-1], after=joints[-1].after.named(ring, "end")))
+    joints += tuple(Motion(name, "R", 1, Rigid.unit(ring)) for name in extra)
+    numbers = (*robot.unlocked, *(len(robot.variables) + 1 for _ in extra))
     groups = tuple(
         _group(ring, index, joints, positions, tuple(nodes)) for index, (positions, nodes) in enumerate(runs)
     )
-    return Chain(robot, ring, constants, base, joints, groups, angles, robot.unlocked)
+    return Chain(robot, ring, constants, base, joints, groups, angles, numbers)
 
 
 Run = tuple[tuple[int, ...], list[tuple[str, int]]]

@@ -8,10 +8,11 @@ sine of its own, as Pieper's equations in the lecture need (c alpha1, s alpha1).
 from __future__ import annotations
 
 import random
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from sympy import Add, Expr, Integer, Mul, Rational, Symbol, cos, pi, sin
+from sympy import Add, Expr, Integer, Mul, Rational, Symbol, cos, factorint, pi, sin, sqrt
 from sympy.ntheory import sqrt_mod
 
 from kinsym.algebra.field import PRIME, Point, angle_point, circle_point, turn
@@ -31,8 +32,11 @@ class Constants:
     def note_length(self, cell: Expr) -> None:
         """Register whatever a length cell needs."""
         for term in Add.make_args(cell.expand()):
-            for factor in Mul.make_args(term):
-                if not _polynomial(factor) and factor not in self.derived:
+            for factor in _factors(term):
+                angle = _angle_of(factor)
+                if angle is not None:
+                    self.note_angle(angle, f"angle{len(self.angles) + 1}")
+                elif not _polynomial(factor) and factor not in self.derived:
                     self.derived[factor] = f"const{len(self.derived) + 1}"
 
     def note_angle(self, cell: Expr, name: str) -> None:
@@ -75,7 +79,7 @@ class Constants:
         total = ring.zero
         for term in Add.make_args(cell.expand()):
             product = ring.one
-            for factor in Mul.make_args(term):
+            for factor in _factors(term):
                 product *= self._factor(ring, factor)
             total += product
         return ring.reduce(total)
@@ -88,6 +92,9 @@ class Constants:
         if isinstance(factor, Symbol):
             return ring[factor.name]
         base, exponent = factor.as_base_exp()
+        angle = _angle_of(factor)
+        if angle is not None:
+            return self.angle(ring, angle)[isinstance(base, sin)] ** int(exponent)
         return ring[base.name] ** int(exponent)
 
     def angle(self, ring: Ring, cell: Expr) -> tuple[Poly, Poly]:
@@ -145,6 +152,25 @@ class Constants:
         for name, (ring, poly) in self.entries.items():
             values[name] = ring.evaluate(poly, values)
         return values
+
+
+def _factors(term: Expr) -> Iterator[Expr]:
+    """The factors of a term; the root of a product of primes as the roots of these, so that one relation holds each."""
+    for factor in Mul.make_args(term):
+        base, exponent = factor.as_base_exp()
+        if isinstance(base, Integer) and base > 1 and exponent == Rational(1, 2):
+            for prime, power in sorted(factorint(base).items()):
+                yield sqrt(prime) ** power
+        else:
+            yield factor
+
+
+def _angle_of(factor: Expr) -> Expr | None:
+    """The angle of a power of a cosine or sine."""
+    base, exponent = factor.as_base_exp()
+    if isinstance(base, (cos, sin)) and isinstance(exponent, Integer) and int(exponent) > 0:
+        return base.args[0]
+    return None
 
 
 def _polynomial(factor: Expr) -> bool:

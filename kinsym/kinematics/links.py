@@ -207,6 +207,7 @@ def _screw_rows(ring: Ring, constants: Constants, robot: Robot) -> tuple[Rigid, 
 
     frames: list[Rigid] = []
     origin: Vector = (ring.zero, ring.zero, ring.zero)
+    before: Vector | None = None
     for row, joint in enumerate(robot.joints, start=1):
         if joint.s is None or joint.s0 is None:
             raise RobotError(
@@ -214,6 +215,11 @@ def _screw_rows(ring: Ring, constants: Constants, robot: Robot) -> tuple[Rigid, 
             )
         axis = vector(joint.s)
         origin = _foot(ring, origin, axis, vector(joint.s0))
+        if joint.kind == "R":
+            origin = _normal_foot(ring, frames[-1].translation, before, axis, origin) if before else origin
+            before = axis
+        else:
+            before = None
         frames.append(Rigid(axis_frame(ring, axis, row), origin))
     if robot.home is None:
         raise RobotError("a table of screws needs a home pose", where=robot.name, remedy="Add [home] u0, v0, w0, q0")
@@ -231,6 +237,27 @@ def _foot(ring: Ring, point: Vector, axis: Vector, through: Vector) -> Vector:
     along = ring.dot(plus(point, minus(through)), axis)
     x, y, z = (ring.reduce(p + along * s) for p, s in zip(through, axis, strict=True))
     return x, y, z
+
+
+def _normal_foot(ring: Ring, point: Vector, before: Vector, axis: Vector, through: Vector) -> Vector:
+    """Where the common normal with the axis before ends on an axis: the point that both share if they meet.
+
+    Three axes that meet then have frames in one point, as in a Denavit-Hartenberg table. Axes that are parallel, or
+    whose angle is no number, keep ``through``.
+    """
+    normal = _cross(ring, before, axis)
+    squared = ring.dot(normal, normal)
+    if not squared or not squared.is_ground:
+        return through
+    away = plus(through, minus(point))
+    along = ring.dot(_cross(ring, before, normal), away).quo_ground(squared.coeff(1))
+    x, y, z = (ring.reduce(p + along * s) for p, s in zip(through, axis, strict=True))
+    return x, y, z
+
+
+def _cross(ring: Ring, left: Vector, right: Vector) -> Vector:
+    (a, b, c), (x, y, z) = left, right
+    return ring.reduce(b * z - c * y), ring.reduce(c * x - a * z), ring.reduce(a * y - b * x)
 
 
 def axis_frame(ring: Ring, axis: Vector, row: int) -> Rotation:

@@ -22,7 +22,7 @@ def moments(name: str) -> list[State]:
     names = Names(set(found.solved.ring.index))
     states = [state]
     while state.known.unknowns():
-        state = replace(state, known=ranked(state)[0].build(names).known)
+        state = replace(state, known=next(ranked(state)).build(names).known)
         while (step := shortened(state)) is not None:
             state = step[0]
         states.append(state)

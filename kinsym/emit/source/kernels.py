@@ -44,6 +44,9 @@ KERNELS = {
     "homogeneous": Kernel(inputs=("a", "b", "t"), outputs=ANGLE, free=True, branches=2),
     "homogeneous2": Kernel(inputs=("a", "b", "t", "a_alt", "b_alt", "t_alt"), outputs=ANGLE, free=True, branches=2),
     "linear": Kernel(inputs=("a", "b", "e", "t"), outputs=ANGLE, free=True, branches=2, ends=True),
+    "linear_pole": Kernel(
+        inputs=("a", "b", "p", "k", "x", "y", "z", "t"), outputs=ANGLE, free=False, branches=2, ends=True
+    ),
     "triangle": Kernel(
         inputs=("x", "y", "l1", "l2", "t"),
         outputs=(("k", False), ("w", True), ("along", False)),

@@ -129,6 +129,10 @@ class View:
         """The equations whose only unknown is one prismatic variable."""
         return [e for e in self.equations if len(e.lengths) == 1 and not e.angles]
 
+    def of_slides(self) -> list[PoolEquation]:
+        """The equations of length whose unknowns are two or three prismatic variables."""
+        return [e for e in self.equations if len(e.lengths) > 1 and not e.angles and e.unit == 1]
+
     def of_two_angles(self) -> list[PoolEquation]:
         """The position equations with two unknown angles of one group and nothing else unknown."""
         return [

@@ -9,7 +9,8 @@ from kinsym.algebra.ring import Poly
 from kinsym.algebra.tree import ZERO, Call, Definition, PlusMinus, Pow, Quot, Tree, opposite, sub
 from kinsym.inverse.plan import Step
 from kinsym.inverse.pool import PoolEquation
-from kinsym.inverse.rules.base import Candidate, Names, Outcome, View, shown, tolerance
+from kinsym.inverse.rules.base import Candidate, Names, Outcome, View, divided, shown, tolerance
+from kinsym.inverse.rules.tangent import by_tangent
 from kinsym.inverse.state import State
 
 TITLES = {
@@ -17,7 +18,7 @@ TITLES = {
     "quotient_length": "linear in a prismatic variable, with a factor that can vanish",
     "quadratic": "quadratic in a prismatic variable",
 }
-LENGTH_COST, QUOTIENT_COST, QUADRATIC_COST = 0, 16, 32
+LENGTH_COST, QUOTIENT_COST, QUADRATIC_COST, TANGENT_COST = 0, 16, 32, 57
 
 
 def candidates(view: View) -> Iterator[Candidate]:
@@ -31,12 +32,13 @@ def candidates(view: View) -> Iterator[Candidate]:
             constant = ring.is_constant(parts[1])
             build = partial(_linear, state, equation, parts[1], rest)
             yield Candidate(LENGTH_COST if constant else QUOTIENT_COST, equation.terms, variable, build)
-        elif set(parts) <= {0, 1, 2} and 2 in parts and parts[2].is_ground:
-            leading = parts[2].coeff(1)
+        elif 2 in parts and set(parts) <= {0, 1, 2} and not state.vanishes(parts[2]):
             middle: Poly = parts.get(1, ring.zero)
-            half = middle.quo_ground(2 * leading)
-            build = partial(_quadratic, state, equation, half, rest.quo_ground(leading))
-            yield Candidate(QUADRATIC_COST, equation.terms, variable, build)
+            constant = ring.is_constant(parts[2])
+            build = partial(
+                _quadratic if constant else _tangent, state, equation, (parts[2], middle.quo_ground(2), rest)
+            )
+            yield Candidate(QUADRATIC_COST if constant else TANGENT_COST, equation.terms, variable, build)
 
 
 def _linear(state: State, equation: PoolEquation, factor: Poly, rest: Poly, names: Names) -> Outcome:
@@ -75,11 +77,12 @@ def _linear(state: State, equation: PoolEquation, factor: Poly, rest: Poly, name
     return Outcome((step,), state.known.with_length(variable))
 
 
-def _quadratic(state: State, equation: PoolEquation, half: Poly, rest: Poly, names: Names) -> Outcome:
+def _quadratic(state: State, equation: PoolEquation, parts: tuple[Poly, Poly, Poly], names: Names) -> Outcome:
     variable = equation.lengths[0]
     definitions: list[Definition] = []
-    b = names.short("kappa", state.tree(half), definitions)
-    c = names.short("kappa", state.tree(rest), definitions)
+    leading, half, rest = parts
+    b = names.short("kappa", divided(state, half, leading), definitions)
+    c = names.short("kappa", divided(state, rest, leading), definitions)
     square: Tree = ZERO if b == ZERO else Pow(b, 2)
     root = Call("sqrt", (sub(square, c),))
     step = Step(
@@ -98,3 +101,11 @@ def _quadratic(state: State, equation: PoolEquation, half: Poly, rest: Poly, nam
         why="one equation is quadratic in this length and holds no other unknown",
     )
     return Outcome((step,), state.known.with_length(variable))
+
+
+def _tangent(state: State, equation: PoolEquation, parts: tuple[Poly, Poly, Poly], names: Names) -> Outcome:
+    variable = equation.lengths[0]
+    a2, a1, a0 = (state.tree(part) for part in parts)
+    why = "one equation holds no other unknown"
+    steps = by_tangent(names, variable, (a2, a1, a0), (shown(state, equation),), why)
+    return Outcome(steps, state.known.with_length(variable))

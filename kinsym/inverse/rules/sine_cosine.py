@@ -44,6 +44,7 @@ def candidates(view: View) -> Iterator[Candidate]:
     state = view.state
     for forms in view.linear.values():
         for first, second in combinations(forms[:WIDEST], 2):
+            state.deadline.check()
             determinant = _cross(state, first.a, first.b, second.a, second.b)
             values = state.values(determinant)
             if not any(values):

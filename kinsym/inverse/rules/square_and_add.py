@@ -8,9 +8,6 @@ theta2, y is theta3, X = (r - k3)/(2 a1) with r the squared distance of the wris
 
 Where the wrist lies on axis 2 both vectors vanish, and the equation in y is known from their lengths alone. Where it
 lies on axis 1 the same holds for the elimination of theta1, which gives the same equation in y: the kernel gets both.
-
-The squares are formed of the names of coefficients, not of the coefficients: the sums stay short, and nothing of
-the large ring is multiplied out.
 """
 
 from __future__ import annotations
@@ -21,39 +18,11 @@ from itertools import permutations
 
 from kinsym.algebra.nested import number
 from kinsym.algebra.ring import Poly
-from kinsym.algebra.tree import (
-    ONE,
-    ZERO,
-    Call,
-    Definition,
-    Num,
-    Pow,
-    Quot,
-    Sum,
-    Sym,
-    Tree,
-    add,
-    mul,
-    negated,
-    negative,
-    opposite,
-    sub,
-    sum_of_squares,
-)
-from kinsym.inverse.plan import Equation, Step
+from kinsym.algebra.tree import ONE, Definition, Pow, Quot, Sym, Tree, add, mul, sub
+from kinsym.inverse.plan import Step
 from kinsym.inverse.pool import PoolEquation
-from kinsym.inverse.rules.base import (
-    SIZE,
-    TAU,
-    Candidate,
-    Names,
-    Outcome,
-    View,
-    angle_value,
-    divided,
-    edge,
-    shown,
-)
+from kinsym.inverse.rules.base import Candidate, Names, Outcome, View, angle_value, divided, edge, shown
+from kinsym.inverse.rules.squares import Terms, difference, error_of, quartic_inputs, total, turn_step
 from kinsym.inverse.rules.turned_pair import (
     Eliminant,
     Line,
@@ -82,29 +51,32 @@ def candidates(view: View) -> Iterator[Candidate]:
         if len(equation.angles) == 2 and not equation.lengths:
             families.setdefault(tuple(sorted(a.label for a in equation.angles)), []).append(equation)
     points = shared_points(state)
-    found: list[tuple[Pair, Eliminant]] = []
+    found: list[tuple[Angle, Pair, Eliminant]] = []
     for family in families.values():
         angles = family[0].angles
         for turned, other in (angles, angles[::-1]):
             forms = [form for equation in family if (form := turned_form(state, equation, turned, points))]
             for first, second in permutations(forms, 2):
+                state.deadline.check()
+                if first.equation.unit == second.equation.unit == 0 and not state.overdetermined:
+                    continue
                 pair = turned_pair(state, turned, other, first, second) if promising(first, second) else None
                 if pair is not None and any(map(any, eliminant := eliminant_of(state, pair))):
-                    found.append((pair, eliminant))
-    for pair, eliminant in found:
+                    found.append((other, pair, eliminant))
+    for other, pair, eliminant in found:
         others = [
             second
-            for second, same in found
+            for _, second, same in found
             if (second.other, second.turned) != (pair.other, pair.turned)
             and second.other == pair.other
             and proportional(eliminant, same)
         ]
         again = min(others, key=lambda second: second.terms, default=pair)
         cost = COST if own_vector(state.chain.ring, pair) else OTHER_COST
-        yield Candidate(cost, pair.terms, pair.other.name, partial(_build, state, pair, again))
+        yield Candidate(cost, pair.terms, other.name, partial(_build, state, other, pair, again))
 
 
-def _build(state: State, pair: Pair, again: Pair, names: Names) -> Outcome:
+def _build(state: State, other: Angle, pair: Pair, again: Pair, names: Names) -> Outcome:
     definitions: list[Definition] = []
 
     named: dict[Tree, Tree] = {}
@@ -114,28 +86,28 @@ def _build(state: State, pair: Pair, again: Pair, names: Names) -> Outcome:
             named[tree] = names.short(stem, tree, definitions)
         return named[tree]
 
-    def line(parts: Line, scale: Poly) -> tuple[Tree, Tree, Tree]:
+    def line(parts: Line, scale: Poly) -> Terms:
         stems = zip(("mu", "nu", "gamma"), parts, strict=True)
         p, q, r = (coefficient(stem, divided(state, part, scale)) for stem, part in stems)
         return p, q, r
 
-    def form(stated: Pair) -> list[tuple[Tree, Tree, Tree]]:
+    def form(stated: Pair) -> list[Terms]:
         k1, k2 = (line(part, state.chain.ring.one) for part in (stated.k1, stated.k2))
         x, y = (line(side.rest, side.scale) for side in stated.sides)
         return [x, y, k1, k2]
 
     vectors = form(pair)
     second = vectors if again is pair else form(again)
-    error = _error(state, pair)
+    error = error_of(state, pair)
     equations = tuple(dict.fromkeys(shown(state, equation) for equation in (*pair.equations, *again.equations)))
-    other, turned = pair.other, pair.turned
+    turned = pair.turned
     c, s = Sym(other.cosine), Sym(other.sine)
-    lines, other_lines = ([_sum([mul(p, c), mul(q, s), r]) for p, q, r in part] for part in (vectors, second))
-    statements = [_difference(lines), *([_difference(other_lines)] if again is not pair else [])]
+    lines, other_lines = ([total([mul(p, c), mul(q, s), r]) for p, q, r in part] for part in (vectors, second))
+    statements = [difference(lines), *([difference(other_lines)] if again is not pair else [])]
     twice = (
         "; stated twice, as each keeps its digits where the vectors of the other vanish" if again is not pair else ""
     )
-    inputs = {**_inputs(vectors, error, ""), **_inputs(second, _error(state, again), "2")}
+    inputs = {**quartic_inputs(vectors, error, ""), **quartic_inputs(second, error_of(state, again), "2")}
     step = Step(
         number=names.step(),
         unknown=other.name,
@@ -154,25 +126,9 @@ def _build(state: State, pair: Pair, again: Pair, names: Names) -> Outcome:
     )
     values: list[Definition] = []
     sides = [names.short("kappa", line, values) for line in lines]
-    follow = _turn_step(names, turned, sides, error=error, equations=equations)
+    follow = turn_step(names, turned, sides, error=error, equations=equations)
     known = state.known.with_angle(edge(other)).with_angle(edge(turned))
     return Outcome((step, angle_value(other), *values, follow, angle_value(turned)), known)
-
-
-def _inputs(vectors: list[tuple[Tree, Tree, Tree]], error: Tree, suffix: str) -> dict[str, Tree]:
-    """The kernel's arguments for one statement."""
-    parts = (
-        (f"{name}{end}{suffix}", part)
-        for name, line in zip("xykl", vectors, strict=True)
-        for end, part in zip(("c", "s", ""), line, strict=True)
-    )
-    return {**dict(parts), f"t{suffix}": error}
-
-
-def _difference(lines: list[Tree]) -> Tree:
-    """X^2 + Y^2 - k1^2 - k2^2."""
-    x, y, k1, k2 = (_square(line) for line in lines)
-    return _sum([x, y, opposite(k1), opposite(k2)])
 
 
 def _half_angle(angle: Angle) -> tuple[tuple[str, Tree], ...]:
@@ -183,59 +139,4 @@ def _half_angle(angle: Angle) -> tuple[tuple[str, Tree], ...]:
         (angle.cosine, Quot(sub(ONE, Pow(u, 2)), below)),
         (angle.sine, Quot(mul(number(2), u), below)),
         (angle.name, angle_value(angle).value),
-    )
-
-
-def _sum(terms: list[Tree]) -> Tree:
-    """The sum of the terms that are not zero."""
-    kept = [term for term in terms if term != ZERO]
-    return add(*kept) if kept else ZERO
-
-
-def _square(tree: Tree) -> Tree:
-    if isinstance(tree, Num):
-        return mul(tree, tree)
-    return Pow(negated(tree) if negative(tree) or (isinstance(tree, Sum) and negative(tree.terms[0])) else tree, 2)
-
-
-def _magnitude(tree: Tree) -> Tree:
-    return Num(abs(tree.value)) if isinstance(tree, Num) else Call("abs", (tree,))
-
-
-def _error(state: State, pair: Pair) -> Tree:
-    """How far the pose's tolerance moves X and Y."""
-    parts = []
-    for side in pair.sides:
-        for weight, unit in side.weights:
-            length: Tree = ONE if unit == 0 else SIZE if unit == 1 else Pow(SIZE, unit)
-            above, below = mul(_magnitude(state.tree(weight)), length), _magnitude(state.tree(side.scale))
-            parts.append(above if below == ONE else Quot(above, below))
-    return mul(TAU, add(*parts))
-
-
-def _turn_step(
-    names: Names, angle: Angle, vectors: list[Tree], *, error: Tree, equations: tuple[Equation, ...]
-) -> Step:
-    """The turned angle; it is free where both vectors, (k1, k2) and (X, Y), vanish."""
-    x, y, k1, k2 = vectors
-    c, s = sub(mul(x, k1), mul(y, k2)), add(mul(x, k2), mul(y, k1))
-    d = sum_of_squares(*(k for k in (k1, k2) if k != ZERO))
-    return Step(
-        number=names.step(),
-        unknown=angle.name,
-        rule="quotient",
-        equations=equations,
-        coefficients=(),
-        inputs={"x": c, "y": s, "d": d, "t": Pow(error, 2)},
-        outputs=(angle.cosine, angle.sine),
-        branches=1,
-        reference=angle.terms,
-        solution=(
-            (angle.cosine, Quot(c, d)),
-            (angle.sine, Quot(s, d)),
-            (angle.name, angle_value(angle).value),
-        ),
-        condition=None,
-        degenerate=(d, "=", ZERO),
-        why="two of these equations are linear in the cosine and sine of this angle (Cramer's rule)",
     )

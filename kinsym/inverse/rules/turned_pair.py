@@ -19,7 +19,7 @@ from kinsym.kinematics.angles import Angle
 CONSTANTS = (Kind.CONSTANT, Kind.PARAMETER)
 
 Line = tuple[Poly, Poly, Poly]
-"""``p c_y + q s_y + r``."""
+"""``p c_y + q s_y + r``; where the other unknown is a length, ``p + q d + r d^2``."""
 Eliminant = tuple[tuple[int, ...], ...]
 
 
@@ -34,10 +34,10 @@ class Side:
 
 @dataclass(frozen=True)
 class Pair:
-    """``k1 c + k2 s = X`` and ``k1 s - k2 c = Y`` for the angle that is turned."""
+    """``k1 c + k2 s = X`` and ``k1 s - k2 c = Y`` for the angle that is turned; the other is an angle or a length."""
 
     turned: Angle
-    other: Angle
+    other: Angle | str
     k1: Line
     k2: Line
     sides: tuple[Side, Side]
@@ -92,7 +92,7 @@ def promising(first: Form, second: Form) -> bool:
     return len(ratios) == 1
 
 
-def turned_pair(state: State, turned: Angle, other: Angle, one: Form, two: Form) -> Pair | None:
+def turned_pair(state: State, turned: Angle, other: Angle | str, one: Form, two: Form) -> Pair | None:
     """The two equations as a turned vector, or None if they are none."""
     ring = state.chain.ring
     first, second = one.equation, two.equation
@@ -119,12 +119,22 @@ def turned_pair(state: State, turned: Angle, other: Angle, one: Form, two: Form)
         k1, k2, scale, below = quotient1, quotient2, below, ring.one
     if state.vanishes(k1) and state.vanishes(k2):
         return None
-    lines = [_linear(ring, poly, other) for poly in (k1, k2, -rest1, -ring.mul(below, rest2))]
+    lines = [_line(ring, poly, other) for poly in (k1, k2, -rest1, -ring.mul(below, rest2))]
     l1, l2, r1, r2 = lines
     if l1 is None or l2 is None or r1 is None or r2 is None:
         return None
     sides = (Side(r1, scale, tuple(weights)), Side(r2, above, ((below, second.unit),)))
     return Pair(turned, other, l1, l2, sides, (first, second))
+
+
+def _line(ring: Ring, poly: Poly, unknown: Angle | str) -> Line | None:
+    """A polynomial in the other unknown, or None if its degree is too high."""
+    if isinstance(unknown, Angle):
+        return _linear(ring, poly, unknown)
+    parts = ring.collect(poly, (unknown,))
+    if not set(parts) <= {(0,), (1,), (2,)}:
+        return None
+    return parts.get((0,), ring.zero), parts.get((1,), ring.zero), parts.get((2,), ring.zero)
 
 
 def _linear(ring: Ring, poly: Poly, angle: Angle) -> Line | None:
