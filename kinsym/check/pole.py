@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from kinsym.check.marks import NEAR, NONE, Mark
 
-def linear_pole(ctx: Any, given: Mapping[str, Any], free: Any) -> list[tuple[Any, ...]]:
+
+def linear_pole(ctx: Any, given: Mapping[str, Any], free: Any, loose: bool) -> list[tuple[tuple[Any, ...], Mark]]:
     """a c + b s = e with e = p - sign(p) k (1 - x): by half the angle between (c, s) and (a, b)/p.
 
     With delta that angle, 2 |p| sin(delta/2)^2 = k (1 - x), and (1 - x)(1 + x) = y^2 + z^2.
@@ -18,12 +20,13 @@ def linear_pole(ctx: Any, given: Mapping[str, Any], free: Any) -> list[tuple[Any
     away = k * (across**2 / (1 + x) if x > 0 else 1 - x)
     ca, sa = a / p, b / p
     if x > 0 and across <= t:
-        return [(ca, sa)]
+        return [((ca, sa), Mark.BORDER)]
     room = 2 * abs(p) - away
-    if room < -t:
-        return []
     if room <= t:
-        return [(-ca, -sa)]
+        within, near = room >= -t, room >= -NEAR * t
+        mark = Mark.BORDER if within else Mark.BORDER | Mark.DOUBTFUL
+        return [((-ca, -sa), mark)] if near or loose else []
     half_sine, half_cosine = ctx.sqrt(away / (2 * abs(p))), ctx.sqrt(room / (2 * abs(p)))
     cosine, sine = half_cosine**2 - half_sine**2, 2 * half_sine * half_cosine
-    return [(ca * cosine - sa * sign * sine, sa * cosine + ca * sign * sine) for sign in (1, -1)]
+    mark = Mark.SOFT if room <= NEAR * t or (x > 0 and across <= NEAR * t) else NONE
+    return [((ca * cosine - sa * sign * sine, sa * cosine + ca * sign * sine), mark) for sign in (1, -1)]

@@ -2,18 +2,22 @@
 
 It is the oracle for every target language. It reads the same schedule as the printers, runs kernels of its own
 and returns the solutions in the order of the generated code: first branching step outermost, upper sign first.
+A solution with a marked root on its way is settled by the forward kinematics before it counts.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from math import prod
+from typing import Any, NamedTuple
 
 from kinsym.algebra.tree import Sym
 from kinsym.check.evaluate import Compiled, Environment, Program, compiled, exact
 from kinsym.check.kernels import KERNELS
+from kinsym.check.marks import NONE, Mark
+from kinsym.check.settle import ON_THE_POSE, Goal, Settler, Solution
 from kinsym.check.task import ENTRIES, POSITION
 from kinsym.emit.schedule import Assign, Note, Schedule, Solve
 from kinsym.inverse.plan import Step
@@ -35,6 +39,27 @@ AT_THE_ORIGIN = {"p_x": 0, "p_y": 0, "p_z": 0}
 class _Call:
     step: Step
     inputs: dict[str, Compiled]
+    #: How many branches one root of this step leads to.
+    stride: int
+
+
+class _Way(NamedTuple):
+    """What is known of a path at a statement: its marks, its branch so far and how far from it the twin's place is.
+
+    Branches are counted as if every step had all its roots. Where roots meet, the first stands for them and the last
+    place is empty: the twin belongs there.
+    """
+
+    mark: Mark = NONE
+    branch: int = 0
+    aside: int | None = None
+
+    def through(self, call: _Call, root: int, mark: Mark) -> _Way:
+        """The path through one root of a step."""
+        aside = self.aside
+        if aside is None and Mark.BORDER in mark:
+            aside = call.stride * (call.step.branches - 1 - root)
+        return _Way(self.mark | mark, self.branch + call.stride * root, aside)
 
 
 class ExactWalk:
@@ -54,16 +79,27 @@ class ExactWalk:
         self._jacobian = Program(schedule.jacobian.definitions, schedule.jacobian.outputs, numbers)
         self._solution = [compiled(Sym(name), numbers) for name in schedule.solution]
         self._statements: list[tuple[str, Compiled] | _Call] = []
+        branches = [statement.step.branches for statement in schedule.inverse if isinstance(statement, Solve)]
         for statement in schedule.inverse:
             match statement:
                 case Assign(name=name, value=tree):
                     self._statements.append((name, compiled(tree, numbers)))
                 case Solve(step=step):
                     inputs = {name: compiled(tree, numbers) for name, tree in step.inputs.items()}
-                    self._statements.append(_Call(step, inputs))
+                    branches = branches[1:]
+                    self._statements.append(_Call(step, inputs, prod(branches)))
                 case Note():
                     continue
         self._limits = {name: numbers.number(value) for name, value in _LIMITS.items()}
+        self._settler = Settler(
+            self.ctx,
+            joints=schedule.joints,
+            task=schedule.task,
+            forward=self.forward,
+            jacobian=self.jacobian,
+            wrap=numbers.functions["wrap"],
+            locked=schedule.locked,
+        )
 
     def forward(self, q: Sequence[Value]) -> list[list[Value]]:
         """The pose as three rows of four entries (u, v, w, p)."""
@@ -88,11 +124,21 @@ class ExactWalk:
         for row, axis in zip(rows, "xyz", strict=True):
             env.update({f"{column}_{axis}": value for column, value in zip("uvwp", row, strict=True)})
         size = env["size"] = self._size(env)
-        found: list[list[Value]] = []
-        self._run(0, env, wanted, found)
-        return [q for q in found if not self.schedule.gate or self._reaches(q, rows, tau, size)]
+        goal = Goal(rows, size if size > 0 else self.ctx.mpf(1), ON_THE_POSE * tau)
+        found: list[Solution] = []
+        for way, q in self._paths(0, env, wanted, _Way()):
+            plain = Solution(way.branch, q, Mark.DOUBTFUL in way.mark)
+            if way.mark:
+                found += self._settler.settle(plain, way.branch + (way.aside or 0), way.mark, goal)
+            elif not self.schedule.gate or self._reaches(q, rows, tau, size):
+                found.append(plain)
+        found.sort(key=lambda solution: solution.branch)
+        return [solution.q for solution in self._settler.without_copies(found, goal.size)]
 
-    def _run(self, start: int, env: Environment, wanted: Mapping[str, Value], found: list[list[Value]]) -> None:
+    def _paths(
+        self, start: int, env: Environment, wanted: Mapping[str, Value], way: _Way
+    ) -> Iterator[tuple[_Way, list[Value]]]:
+        """The joint vector at the end of every path from a statement on."""
         for position in range(start, len(self._statements)):
             statement = self._statements[position]
             if isinstance(statement, tuple):
@@ -101,14 +147,12 @@ class ExactWalk:
             step = statement.step
             free = sum((sign * wanted[joint] for joint, sign in step.reference), self.ctx.mpf(0))
             inputs = {name: value(env) for name, value in statement.inputs.items()}
-            roots = KERNELS[step.rule](self.ctx, inputs, free)
-            if len(roots) == 1:
-                env.update(zip(step.outputs, roots[0], strict=True))
-                continue
-            for root in roots:
-                self._run(position + 1, {**env, **dict(zip(step.outputs, root, strict=True))}, wanted, found)
+            roots = KERNELS[step.rule](self.ctx, inputs, free, way.mark != NONE)
+            for number, (root, mark) in enumerate(roots):
+                further = {**env, **dict(zip(step.outputs, root, strict=True))}
+                yield from self._paths(position + 1, further, wanted, way.through(statement, number, mark))
             return
-        found.append([value(env) for value in self._solution])
+        yield way, [value(env) for value in self._solution]
 
     def _checked(self, pose: Pose) -> tuple[list[list[Value]], Value] | None:
         ctx, limit = self.ctx, self._limits
@@ -134,7 +178,7 @@ class ExactWalk:
 
     def _reaches(self, q: Sequence[Value], rows: list[list[Value]], tau: Value, size: Value) -> bool:
         reached = self.forward(q)
-        allowed = max(self._limits["closure"], 4 * tau)
+        allowed = max(self._limits["closure"], ON_THE_POSE * tau)
         far = max(size, *(abs(row[3]) for row in rows))
         return all(
             abs(reached[i][j] - rows[i][j]) <= allowed * (far if j == POSITION else 1)

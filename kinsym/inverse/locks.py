@@ -11,11 +11,10 @@ from dataclasses import dataclass, replace
 from itertools import combinations
 
 from kinsym.deadline import Deadline
-from kinsym.inverse.state import NO_LIMIT
 from kinsym.errors import NoClosedForm
 from kinsym.inverse.plan import Plan
 from kinsym.inverse.search import derive_plan
-from kinsym.inverse.state import FIXED
+from kinsym.inverse.state import FIXED, NO_LIMIT
 from kinsym.kinematics.chain import Chain, chain_to_solve
 from kinsym.kinematics.tasks import rank, told
 from kinsym.robot.locking import lock_text

@@ -9,6 +9,7 @@ import pytest
 
 from kinsym.check.evaluate import exact
 from kinsym.check.kernels import KERNELS
+from kinsym.check.marks import Mark
 from kinsym.check.walk import ExactWalk
 from tests.check import hand
 
@@ -21,9 +22,14 @@ def numbers(**values: Any) -> dict[str, Any]:
     return {"t": TAU, **{name: CTX.mpf(str(value)) for name, value in values.items()}}
 
 
-def roots(rule: str, free: float = 0.5, **values: Any) -> list[tuple[Any, ...]]:
-    """The roots of a kernel."""
-    return KERNELS[rule](CTX, numbers(**values), CTX.mpf(free))
+def marked(rule: str, loose: bool = False, **values: Any) -> list[tuple[tuple[Any, ...], Mark]]:
+    """The roots of a kernel with their marks."""
+    return KERNELS[rule](CTX, numbers(**values), CTX.mpf(0.5), loose)
+
+
+def roots(rule: str, **values: Any) -> list[tuple[Any, ...]]:
+    """The roots of a kernel that exist."""
+    return [root for root, mark in marked(rule, **values) if Mark.DOUBTFUL not in mark]
 
 
 def near(left: Any, right: Any) -> bool:

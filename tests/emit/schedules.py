@@ -7,6 +7,7 @@ with the inverse kinematics of kinsym's own rules. The polar arm adds a prismati
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from math import prod
 
@@ -73,6 +74,10 @@ def schedule(
 ) -> Schedule:
     """A schedule; a joint whose name begins with d is prismatic."""
     depth = sum(isinstance(item, Solve) and item.step.branches > 1 for item in inverse)
+    inverse = [
+        replace(item, step=replace(item.step, number=number)) if isinstance(item, Solve) else item
+        for number, item in enumerate(inverse, start=1)
+    ]
     return Schedule(
         name=name,
         title=title,

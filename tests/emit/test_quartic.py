@@ -8,11 +8,9 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from kinsym.check.evaluate import exact
-from kinsym.check.kernels import KERNELS as EXACT
 from kinsym.emit.source.kernels import KERNELS
 from tests.emit.built import needs_compiler
-from tests.emit.test_kernels import FREE, REFERENCE, Roots, T, in_c, in_numpy
+from tests.emit.test_kernels import FREE, Roots, T, exactly, in_c, in_numpy
 
 NAMES = KERNELS["quartic"].inputs[:12]
 ONE, COSINE, SINE = (0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
@@ -30,9 +28,7 @@ def inputs(lines: Lines, again: Lines | None = None) -> dict[str, float]:
 
 
 def _exactly(lines: Lines) -> Roots:
-    ctx, _ = exact()
-    roots = EXACT["quartic"](ctx, {name: ctx.mpf(value) for name, value in inputs(lines).items()}, ctx.mpf(REFERENCE))
-    return [(float(c), float(s)) for c, s in roots]
+    return exactly("quartic", **inputs(lines))
 
 
 def _with(function: Callable[..., Roots]) -> Kernel:

@@ -1,0 +1,191 @@
+"""Marked solutions of the exact walk, made sure of by the forward kinematics.
+
+Next to a singular pose a closed form answers with what the equation would give on the singularity: with two roots in
+one, with a root in doubt, with an angle that is known to a few digits. What of this is true the pose decides. A vector
+that misses it is moved there by the Levenberg-Marquardt method, damped by the distance that is left: that converges
+fast also where the Jacobian loses rank (Yamashita and Fukushima, 2001, for the damping by the square of the residual).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
+
+from kinsym.check.marks import Mark
+from kinsym.check.task import ENTRIES, POSITION
+from kinsym.emit.schedule import JointName
+from kinsym.robot.model import Task
+
+Value = Any
+Vector = list[Value]
+Matrix = list[list[Value]]
+
+#: A vector this many tau from the pose is on it.
+ON_THE_POSE = 4
+#: A root that is not in doubt was found if it is polished to this distance; the pose itself may be off by the rest.
+POLISHED = 1e-9
+#: Two vectors as near in every joint, in radians or sizes of the arm, are one if one of them was in doubt.
+ALIKE = 1e-3
+
+STARTS = 4
+PASSES = 40
+#: Half the digits: what the normal equations, which square the damping, can still tell.
+NEAREST = 1e-25
+LEAST_DAMPING = 1e-20
+#: So many passes in a row that gain less than this share of the distance have met a least one that is not zero. Few
+#: are too few: where the Jacobian nearly loses rank the damping falls from pass to pass before anything is gained.
+IDLE = 10
+LEAST_GAIN = 1e-6
+
+
+class Goal(NamedTuple):
+    """A pose (three rows of four), the size of the arm (1 if it has none) and the distance that counts as none."""
+
+    rows: Sequence[Sequence[Value]]
+    size: Value
+    reach: Value
+
+
+class Solution(NamedTuple):
+    """A joint vector, its place among all branches, and whether another one may turn out to be the same."""
+
+    branch: int
+    q: Vector
+    doubtful: bool
+
+
+class Settler:
+    """Settles the solutions of one arm; ``forward`` and ``jacobian`` are its exact kinematics.
+
+    A joint in ``locked`` keeps its value.
+    """
+
+    def __init__(
+        self,
+        ctx: Any,
+        *,
+        joints: Sequence[JointName],
+        task: Task,
+        forward: Callable[[Vector], Matrix],
+        jacobian: Callable[[Vector], Matrix],
+        wrap: Callable[[Value], Value],
+        locked: Sequence[str] = (),
+    ) -> None:
+        self._ctx, self._forward, self._jacobian, self._wrap = ctx, forward, jacobian, wrap
+        self._slides = [joint.kind == "P" for joint in joints]
+        self._moves = [joint.name not in locked for joint in joints]
+        self._entries = ENTRIES[task]
+
+    def settle(self, given: Solution, twin: int, mark: Mark, goal: Goal) -> list[Solution]:
+        """The solutions that a marked vector stands for: none, itself or what it became, or two.
+
+        Two where roots met that had to be parted; the second, on branch ``twin``, is the first one's mirror image.
+        """
+        start = given.q
+        if self._distance(self._differences(start, goal)) <= goal.reach:
+            return [given]
+        q, left = self._polished(start, goal)
+        if left > goal.reach and (Mark.DOUBTFUL in mark or left > POLISHED):
+            return []
+        found = [given._replace(q=self._in_range(q))]
+        if Mark.BORDER in mark:
+            mirrored, left = self._polish([2 * a - b for a, b in zip(start, q, strict=True)], goal)
+            if left <= goal.reach:
+                found.append(Solution(twin, self._in_range(mirrored), doubtful=True))
+        return found
+
+    def without_copies(self, found: Sequence[Solution], size: Value) -> list[Solution]:
+        """The solutions less those in doubt that turned out to be another one."""
+        kept: list[Solution] = []
+        for number, solution in enumerate(found):
+            sure = [other for other in found[number + 1 :] if not other.doubtful]
+            if not solution.doubtful or not any(self._alike(solution.q, other.q, size) for other in (*kept, *sure)):
+                kept.append(solution)
+        return kept
+
+    def _alike(self, left: Vector, right: Vector, size: Value) -> bool:
+        return all(
+            abs(a - b) <= ALIKE * size if slides else abs(self._wrap(a - b)) <= ALIKE
+            for a, b, slides in zip(left, right, self._slides, strict=True)
+        )
+
+    def _in_range(self, q: Vector) -> Vector:
+        turns = (moves and not slides for moves, slides in zip(self._moves, self._slides, strict=True))
+        return [self._wrap(value) if turning else value for value, turning in zip(q, turns, strict=True)]
+
+    def _polished(self, start: Vector, goal: Goal) -> tuple[Vector, Value]:
+        """The vector that the pose is reached from, from ``start`` or beside it, with the distance that is left.
+
+        Where two borders cross the distance is stationary, and only a start beside it gets away.
+        """
+        ctx = self._ctx
+        best, least = self._polish(start, goal)
+        for trial in range(1, STARTS):
+            if least <= goal.reach:
+                break
+            aside = least ** (ctx.mpf(1) / (1 + trial))
+            away = [aside * ctx.cos(1 + number) for number in range(len(start))]
+            q, left = self._polish(self._moved(start, away, goal), goal)
+            if left < least:
+                best, least = q, left
+        return best, least
+
+    def _polish(self, q: Vector, goal: Goal) -> tuple[Vector, Value]:
+        """Least squares from one start: the vector and its distance."""
+        ctx = self._ctx
+        errors = self._differences(q, goal)
+        left, caution, idle = self._distance(errors), ctx.mpf(1), 0
+        for _ in range(PASSES):
+            if left <= NEAREST or idle >= IDLE:
+                break
+            damping = max(left * caution, ctx.mpf(LEAST_DAMPING))
+            trial = self._moved(q, self._step(self._slopes(q, goal), errors, damping), goal)
+            missed = self._differences(trial, goal)
+            reached = self._distance(missed)
+            idle = 0 if left - reached > LEAST_GAIN * left else idle + 1
+            if reached < left:
+                q, errors, left, caution = trial, missed, reached, caution / 10
+            else:
+                caution *= 10
+        return q, left
+
+    def _moved(self, q: Vector, step: Vector, goal: Goal) -> Vector:
+        """``q`` and a step whose lengths are in sizes of the arm."""
+        return [
+            value + change * (goal.size if slides else 1) if moves else value
+            for value, change, slides, moves in zip(q, step, self._slides, self._moves, strict=True)
+        ]
+
+    def _differences(self, q: Vector, goal: Goal) -> Vector:
+        """What the forward kinematics miss of the pose, entry by entry of the task, lengths in sizes of the arm."""
+        reached = self._forward(q)
+        return [(reached[i][j] - goal.rows[i][j]) / (goal.size if j == POSITION else 1) for i, j in self._entries]
+
+    def _distance(self, differences: Vector) -> Value:
+        return self._ctx.sqrt(sum(value * value for value in differences))
+
+    def _slopes(self, q: Vector, goal: Goal) -> Matrix:
+        """The derivatives of the differences, a row for each joint. A column of the rotation moves by omega x it."""
+        pose, jacobian = self._forward(q), self._jacobian(q)
+        slopes = []
+        for joint, slides in enumerate(self._slides):
+            velocity = [row[joint] for row in jacobian]
+            row = []
+            for i, j in self._entries:
+                if j == POSITION:
+                    slope = velocity[i] / goal.size
+                else:
+                    k, m = (i + 1) % 3, (i + 2) % 3
+                    slope = velocity[3 + k] * pose[m][j] - velocity[3 + m] * pose[k][j]
+                row.append(slope * (goal.size if slides else 1) if self._moves[joint] else self._ctx.mpf(0))
+            slopes.append(row)
+        return slopes
+
+    def _step(self, slopes: Matrix, errors: Vector, damping: Value) -> Vector:
+        """The step that takes the errors away best, by the damped normal equations."""
+        ctx = self._ctx
+        square = ctx.matrix([[ctx.fdot(left, right) for right in slopes] for left in slopes])
+        for number in range(len(slopes)):
+            square[number, number] += damping * damping
+        side = ctx.matrix([-ctx.fdot(row, errors) for row in slopes])
+        return list(ctx.cholesky_solve(square, side))
