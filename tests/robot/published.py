@@ -1,8 +1,8 @@
 """Robots as their sources print them, to hold the tables of the gallery against.
 
-URDF: one line a joint with the numbers of the file, ``x y z  roll pitch yaw  ax ay az``, or ``fixed`` for the axis. Tables:
-``alpha a d theta kind`` with the offset in the place of the variable. Nothing is summed or simplified, but right angles
-that a file rounds to four or five digits are written as they are meant. The source of each is in the robot's file.
+URDF: one line a joint with the numbers of the file, ``x y z  roll pitch yaw  ax ay az``, or ``fixed`` for the axis.
+Tables: ``alpha a d theta kind`` with the offset in the place of the variable. Nothing is summed or simplified, but
+right angles that a file rounds to four or five digits are written as they are meant. Sources: see the robots' files.
 """
 
 from __future__ import annotations
@@ -138,23 +138,69 @@ URDF = {
 }
 
 TABLES = {
-    "abb_irb140": "paul; -pi/2 0.070 0.352 0 R; 0 0.360 0 0 R; -pi/2 0 0 0 R; pi/2 0 0.380 0 R; -pi/2 0 0 0 R; 0 0 0.065 0 R",
-    "ur3": "paul; pi/2 0 0.1519 0 R; 0 -0.24365 0 0 R; 0 -0.21325 0 0 R; pi/2 0 0.11235 0 R; -pi/2 0 0.08535 0 R; "
-    "0 0 0.0819 0 R",
-    "ur10e": "paul; pi/2 0 0.1807 0 R; 0 -0.6127 0 0 R; 0 -0.57155 0 0 R; pi/2 0 0.17415 0 R; -pi/2 0 0.11985 0 R; "
-    "0 0 0.11655 0 R",
-    "ur5e": "paul; pi/2 0 0.1625 0 R; 0 -0.42500 0 0 R; 0 -0.39225 0 0 R; pi/2 0 0.1333 0 R; -pi/2 0 0.0997 0 R; "
-    "0 0 0.0996 0 R",
-    "adept_cobra600": "paul; 0 0.325 0.387 0 R; pi 0.275 0 0 R; 0 0 0 0 P; 0 0 0 0 R",
-    "brooks_pf400": "paul; 0 0 0 0 P; 0 0.302 0 0 R; 0 0.289 0 0 R; 0 0.162 0 0 R",
-    "kuka_youbot": "paul; pi/2 0.033 0.147 0 R; 0 0.155 0 pi/2 R; 0 0.135 0 0 R; -pi/2 0 0 -pi/2 R; 0 0 0.2175 0 R",
-    "abb_irb6620lx": "paul; 0 0.458 0 0 P; 0 0.975 0 0 R; pi/2 0.2 0 0 R; pi/2 0 0.887 0 R; -pi/2 0 0 0 R; 0 0 0.2 pi R",
-    "stanford_arm": "paul; -pi/2 0 0.412 0 R; pi/2 0 0.154 0 R; 0 0.0203 0 -pi/2 P; -pi/2 0 0 0 R; pi/2 0 0 0 R; 0 0 0 0 R",
+    "abb_irb140": """paul
+        -pi/2 0.070 0.352 0 R
+        0 0.360 0 0 R
+        -pi/2 0 0 0 R
+        pi/2 0 0.380 0 R
+        -pi/2 0 0 0 R
+        0 0 0.065 0 R""",
+    "ur3": """paul
+        pi/2 0 0.1519 0 R
+        0 -0.24365 0 0 R
+        0 -0.21325 0 0 R
+        pi/2 0 0.11235 0 R
+        -pi/2 0 0.08535 0 R
+        0 0 0.0819 0 R""",
+    "ur10e": """paul
+        pi/2 0 0.1807 0 R
+        0 -0.6127 0 0 R
+        0 -0.57155 0 0 R
+        pi/2 0 0.17415 0 R
+        -pi/2 0 0.11985 0 R
+        0 0 0.11655 0 R""",
+    "ur5e": """paul
+        pi/2 0 0.1625 0 R
+        0 -0.42500 0 0 R
+        0 -0.39225 0 0 R
+        pi/2 0 0.1333 0 R
+        -pi/2 0 0.0997 0 R
+        0 0 0.0996 0 R""",
+    "adept_cobra600": """paul
+        0 0.325 0.387 0 R
+        pi 0.275 0 0 R
+        0 0 0 0 P
+        0 0 0 0 R""",
+    "brooks_pf400": """paul
+        0 0 0 0 P
+        0 0.302 0 0 R
+        0 0.289 0 0 R
+        0 0.162 0 0 R""",
+    "kuka_youbot": """paul
+        pi/2 0.033 0.147 0 R
+        0 0.155 0 pi/2 R
+        0 0.135 0 0 R
+        -pi/2 0 0 -pi/2 R
+        0 0 0.2175 0 R""",
+    "abb_irb6620lx": """paul
+        0 0.458 0 0 P
+        0 0.975 0 0 R
+        pi/2 0.2 0 0 R
+        pi/2 0 0.887 0 R
+        -pi/2 0 0 0 R
+        0 0 0.2 pi R""",
+    "stanford_arm": """paul
+        -pi/2 0 0.412 0 R
+        pi/2 0 0.154 0 R
+        0 0.0203 0 -pi/2 P
+        -pi/2 0 0 0 R
+        pi/2 0 0 0 R
+        0 0 0 0 R""",
 }
 
 
 def urdf_pose(name: str, q: list[float]) -> Floats:
-    """The (4, 4) pose of the last link of a URDF model in the first: each joint turns about its axis after its origin."""
+    """The (4, 4) pose of the last link of a URDF model in the first: a joint turns about its axis after its origin."""
     pose, values = np.eye(4), iter(q)
     for line in URDF[name].split("\n")[1:]:
         cells = [_number(cell) for cell in line.split() if cell != "fixed"]
@@ -166,7 +212,7 @@ def urdf_pose(name: str, q: list[float]) -> Floats:
 
 def table_pose(name: str, q: list[float]) -> Floats:
     """The (4, 4) pose of a Denavit-Hartenberg table: Paul's Rz Tz Tx Rx or Craig's Rx Tx Rz Tz (lecture 3.2)."""
-    convention, *rows = (row.strip() for row in TABLES[name].split(";"))
+    convention, *rows = TABLES[name].split("\n")
     pose = np.eye(4)
     for row, value in zip(rows, q, strict=True):
         *cells, kind = row.split()
