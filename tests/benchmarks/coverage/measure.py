@@ -53,7 +53,8 @@ class Result:
     """What came out for one arm.
 
     ``kind`` is "closed form", "degree N" for a step with a polynomial of degree N > 2, "refused" or "broken";
-    ``there`` and ``found`` count solutions at random poses; ``singular`` counts outcomes by (joint moved, distance).
+    ``seconds`` are processor time, so that a busy machine does not matter; ``there`` and ``found`` count solutions at
+    random poses; ``singular`` counts outcomes by (joint moved, distance).
     """
 
     group: str
@@ -78,13 +79,13 @@ class Result:
 
 def measure(group: str, robot: Robot, effort: Effort) -> Result:
     """Derive, emit, compile and try one arm."""
-    start = time.perf_counter()
+    start = time.process_time()
     try:
         derivation = derive(robot)
         schedule = build_schedule(derivation)
     except NoClosedForm as error:
         return Result(
-            group=group, name=robot.name, kind="refused", reason=str(error), seconds=time.perf_counter() - start
+            group=group, name=robot.name, kind="refused", reason=str(error), seconds=time.process_time() - start
         )
     except (KinsymError, ArithmeticError, AssertionError, LookupError, TypeError, ValueError) as error:
         return Result(group=group, name=robot.name, kind="broken", reason=f"{type(error).__name__}: {error}")
@@ -93,7 +94,7 @@ def measure(group: str, robot: Robot, effort: Effort) -> Result:
         group=group,
         name=robot.name,
         kind=f"degree {most}" if most > 2 else "closed form",
-        seconds=time.perf_counter() - start,
+        seconds=time.process_time() - start,
     )
     with tempfile.TemporaryDirectory(prefix="kinsym-coverage-") as folder:
         values = parameters(robot)

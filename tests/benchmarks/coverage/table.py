@@ -31,7 +31,7 @@ def document(results: Sequence[Result], command: str) -> list[str]:
 
 LEGEND = (
     "- *derived*: in closed form (steps of degree two at most) + with a polynomial of higher degree / refused with the",
-    "  reason / broken by an error. *time*: seconds to derive and schedule, the median and the worst.",
+    "  reason / broken by an error. *time*: processor seconds to derive, median and worst.",
     "- *found*: solutions found of those there are at random poses. There are the joint vector that the pose was made",
     "  from, what damped least squares find from random starts, and what kinsym finds itself; each is proved by",
     "  forward kinematics that share nothing with kinsym.",
