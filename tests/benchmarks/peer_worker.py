@@ -54,7 +54,7 @@ def opw(arm):
     from scipy.spatial.transform import RigidTransform
 
     if arm["name"] not in UPRIGHT:
-        raise Refused("its parameters are not written down here")
+        raise Refused("not its kind")
     signs = {key: (-1 if name[0] == "-" else 1, name.lstrip("-")) for key, name in UPRIGHT[arm["name"]].items()}
     lengths = {key: sign * arm["lengths"][name] for key, (sign, name) in signs.items()}
     robot = Robot(KinematicModel(**lengths), degrees=False)
@@ -66,7 +66,7 @@ def ur(arm):
 
     module = getattr(ur_analytic_ik, arm["name"], None)
     if module is None:
-        raise Refused("only the arms of Universal Robots")
+        raise Refused("not its kind")
     if np.abs(module.forward_kinematics(*arm["known"]) - np.array(arm["poses"][0])).max() > 1e-9:
         raise Refused("its lengths differ from the table's")
     return lambda pose: [np.asarray(q).ravel().tolist() for q in module.inverse_kinematics(pose)]

@@ -30,6 +30,7 @@ from kinsym.robot.model import Robot, Task
 from tests.benchmarks.coverage.arms import CLASSES, arms
 from tests.benchmarks.coverage.measure import parameters, singular_vectors, solver
 from tests.benchmarks.coverage.oracle import SAME, Screws, distinct, gaps, multistart
+from tests.benchmarks.coverage.table import HEADING, PAGE, joined
 
 Floats = NDArray[np.float64]
 
@@ -37,7 +38,7 @@ ENVIRONMENT = Path(tempfile.gettempdir()) / "kinsym-peers"
 PACKAGES = ("eaik==1.2.2", "ssik==8.2.0", "py-opw-kinematics==1.3.0", "ur-analytic-ik==0.1.0.post3")
 PEERS = ("EAIK", "ssik", "OPW", "UR")
 WORKER = Path(__file__).with_name("peer_worker.py")
-SECONDS = 900
+SECONDS = 60
 TAU = 2.0**-46
 OWN = "kinsym"
 SIX = 6
@@ -76,18 +77,20 @@ def subject(group: str, robot: Robot, poses: int, seed: int) -> Subject:
     return Subject(group=group, robot=robot, screws=screws, q=every, poses=screws.forward(every), ordinary=poses)
 
 
-def ask(peer: str, subjects: list[Subject], folder: Path) -> list[dict[str, Any]]:
-    """The peer's answers, one for each arm."""
-    job = {"peer": peer, "arms": [_description(item) for item in subjects]}
+def ask(peer: str, item: Subject, folder: Path) -> dict[str, Any]:
+    """The peer's answer for one arm, in a process of its own that has :data:`SECONDS`."""
+    job = {"peer": peer, "arms": [_description(item)]}
     command = [str(_python(folder)), str(WORKER)]
     try:
         finished = subprocess.run(
             command, input=json.dumps(job), capture_output=True, text=True, timeout=SECONDS, check=True
         )
-        answers: list[dict[str, Any]] = json.loads(finished.stdout.splitlines()[-1])
-    except (OSError, subprocess.SubprocessError, ValueError) as error:
-        return [{"refused": f"not run: {type(error).__name__}"}] * len(subjects)
-    return answers
+        (answer,) = json.loads(finished.stdout.splitlines()[-1])
+    except subprocess.TimeoutExpired:
+        return {"refused": f"no answer in {SECONDS} s"}
+    except (OSError, subprocess.SubprocessError, ValueError, LookupError) as error:
+        return {"refused": f"not run: {type(error).__name__}"}
+    return dict(answer)
 
 
 def own(subjects: list[Subject]) -> list[dict[str, Any]]:
@@ -173,16 +176,16 @@ def _python(folder: Path) -> Path:
 
 
 def report(folder: Path, *, poses: int, starts: int, each: int, seed: int) -> list[str]:
-    """The section of the page: gallery arms of six revolute joints and ``each`` random arms of each such class."""
+    """The lines of the section: gallery arms of six revolute joints and ``each`` random arms of each such class."""
     robots = [("gallery", load(name)) for name in gallery()]
     robots += [(group, robot) for group in CLASSES for robot in arms(group, each, seed)]
     wanted = [(group, robot) for group, robot in robots if [joint.kind for joint in robot.moving] == ["R"] * SIX]
     subjects = [subject(group, robot, poses, seed) for group, robot in wanted]
     answers = {OWN: own(subjects)}
     for peer in PEERS if _python(folder).exists() else ():
-        answers[peer] = ask(peer, subjects, folder)
+        answers[peer] = [ask(peer, item, folder) for item in subjects]
     missing = [] if len(answers) > 1 else ["The peers are not installed: `python -m tests.benchmarks.peers --setup`."]
-    return ["## Peers", "", *LEGEND, "", *missing, *compared(subjects, answers, starts)]
+    return [*LEGEND, "", *missing, *compared(subjects, answers, starts)]
 
 
 LEGEND = (
@@ -201,13 +204,19 @@ def main() -> None:
     parser.add_argument("--starts", type=int, default=200)
     parser.add_argument("--arms", type=int, default=1, help="random arms of each class (1)")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--write", action="store_true", help=f"also write the section of {PAGE.name}")
     options = parser.parse_args()
     if options.setup:
         sys.exit(0 if setup(options.environment) else 1)
+    numbers = {"poses": options.poses, "starts": options.starts, "arms": options.arms, "seed": options.seed}
+    command = " ".join(["python -m tests.benchmarks.peers", *(f"--{key} {value}" for key, value in numbers.items())])
     lines = report(
         options.environment, poses=options.poses, starts=options.starts, each=options.arms, seed=options.seed
     )
-    print("\n".join(lines))
+    text = "\n".join([HEADING, "", f"Printed by `{command}`.", "", *lines]) + "\n"
+    print(text, end="")
+    if options.write:
+        PAGE.write_text(joined(PAGE.read_text(encoding="utf-8"), text), encoding="utf-8", newline="\n")
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ from tests.benchmarks import peers
 from tests.benchmarks.coverage.arms import CLASSES, arm, moves
 from tests.benchmarks.coverage.measure import DISTANCES, Effort, Result, Trial, measure, parameters, solver
 from tests.benchmarks.coverage.oracle import Floats, Screws, distinct, gaps, multistart
-from tests.benchmarks.coverage.table import GALLERY, document, shortcomings
+from tests.benchmarks.coverage.table import GALLERY, document, joined, section_of, shortcomings
 
 SMALL = Effort(poses=2, starts=60, seed=1)
 
@@ -142,9 +142,17 @@ def test_the_page_never_rounds_up_to_everything() -> None:
     assert lines[-1] == "- some class, arm_7: solutions lost 1"
 
 
+def test_the_section_on_peers_is_kept_and_replaced() -> None:
+    page = joined("# Coverage\n\nold\n", "## Peers\n\nthem\n")
+    assert page == "# Coverage\n\nold\n\n## Peers\n\nthem\n"
+    assert joined("# Coverage\n\nnew\n", section_of(page)) == "# Coverage\n\nnew\n\n## Peers\n\nthem\n"
+    assert joined(page, "## Peers\n\nothers\n") == "# Coverage\n\nold\n\n## Peers\n\nothers\n"
+    assert joined("# Coverage\n", section_of("")) == "# Coverage\n"
+
+
 def test_peers_that_are_not_there_are_said_to_be_missing(tmp_path: Path) -> None:
     item = peers.subject(GALLERY, load("puma560"), 1, 1)
-    assert peers.ask("EAIK", [item], tmp_path) == [{"refused": "not run: FileNotFoundError"}]
+    assert peers.ask("EAIK", item, tmp_path) == {"refused": "not run: FileNotFoundError"}
     (answer,) = peers.own([item])
     assert len(answer["solutions"][0]) == 8
     described = peers._description(item)

@@ -10,15 +10,12 @@ import argparse
 import multiprocessing
 import sys
 from collections.abc import Iterator
-from pathlib import Path
 
 from kinsym.robot import gallery, load, to_toml
-from tests.benchmarks import peers
 from tests.benchmarks.coverage.arms import CLASSES, arm
 from tests.benchmarks.coverage.measure import Effort, Result, measure
-from tests.benchmarks.coverage.table import GALLERY, document
+from tests.benchmarks.coverage.table import GALLERY, PAGE, document, joined, section_of
 
-PAGE = Path(__file__).resolve().parents[3] / "docs" / "coverage.md"
 QUICK = {"arms": 3, "poses": 3, "starts": 120}
 FULL = {"arms": 50, "poses": 5, "starts": 300}
 
@@ -44,12 +41,11 @@ def main() -> None:
             print(f"\r{len(results)} of {len(jobs)} arms", end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)
     lines = document(results, " ".join(["python -m tests.benchmarks.coverage", *_shown(options)]))
-    if options.peers:
-        lines += ["", *peers.report(peers.ENVIRONMENT, poses=3, starts=effort.starts, each=1, seed=effort.seed)]
     text = "\n".join(lines) + "\n"
     print(text, end="")
     if options.write:
-        PAGE.write_text(text, encoding="utf-8", newline="\n")
+        old = PAGE.read_text(encoding="utf-8") if PAGE.exists() else ""
+        PAGE.write_text(joined(text, section_of(old)), encoding="utf-8", newline="\n")
     sys.exit(1 if any(result.kind == "broken" for result in results) else 0)
 
 
@@ -62,18 +58,19 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=1, help="another number, other arms and poses (1)")
     parser.add_argument("--only", action="append", metavar="CLASS", help=f"a class, or {GALLERY}; may be repeated")
     parser.add_argument("--workers", type=int, default=2, help="processes (2)")
-    parser.add_argument("--peers", action="store_true", help="add the comparison with peer libraries")
     parser.add_argument("--write", action="store_true", help=f"also write {PAGE.name}")
     parser.add_argument("--show", nargs=2, metavar=("CLASS", "NUMBER"), help="print one random arm and stop")
     options = parser.parse_args()
     for name in [*(options.only or ()), *(options.show or ())[:1]]:
         if name not in CLASSES and (name != GALLERY or options.show):
             parser.error(f"there is no class {name!r}. Classes: {', '.join([GALLERY, *CLASSES])}")
+    if options.show and not options.show[1].isdecimal():
+        parser.error(f"--show: {options.show[1]!r} is no number of an arm: give 0, 1, 2, ...")
     return options
 
 
 def _shown(options: argparse.Namespace) -> list[str]:
-    words = [f"--{name}" for name in ("quick", "peers") if getattr(options, name)]
+    words = ["--quick"] if options.quick else []
     for name in ("arms", "poses", "starts"):
         value = getattr(options, name)
         words += [] if value is None else [f"--{name} {value}"]

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from pathlib import Path
 
 import numpy as np
 
 from tests.benchmarks.coverage.measure import DISTANCES, Result
 
+PAGE = Path(__file__).resolve().parents[3] / "docs" / "coverage.md"
 GALLERY = "gallery"
+#: What other libraries do stands last on the page, under this heading, and is written by a command of its own.
+HEADING = "## Peers"
 OUTCOMES = ("poses", "answered", "lost", "wrong", "copies", "NaN")
 
 
@@ -27,6 +31,18 @@ def document(results: Sequence[Result], command: str) -> list[str]:
     lines += ["## Singular poses by distance", "", *_by_distance(results), ""]
     lines += ["## Singular poses of the gallery by joint", "", *_by_joint(shipped), ""] if shipped else []
     return [*lines, "## Arms that fall short", "", *shortcomings(results)]
+
+
+def joined(page: str, section: str) -> str:
+    """The page with ``section``, which begins with the heading, in the place of the one that it has."""
+    body = page.partition(HEADING)[0].rstrip("\n")
+    return f"{body}\n\n{section}" if section else f"{body}\n"
+
+
+def section_of(page: str) -> str:
+    """The section on other libraries, empty if the page has none."""
+    _, heading, rest = page.partition(HEADING)
+    return heading + rest
 
 
 LEGEND = (
