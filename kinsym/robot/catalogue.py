@@ -1,4 +1,4 @@
-"""The gallery: robots of the lecture and a few real ones, shipped as files in the format every user writes.
+"""The gallery: robots of the lecture and real ones with the source of their numbers, as files every user could write.
 
 Names and titles are read without SymPy, so that ``kinsym robots`` answers at once.
 """

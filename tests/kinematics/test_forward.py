@@ -14,6 +14,7 @@ from tests.arms import FRAMED, NAMES, derivation, numpy_module, robot
 from tests.kinematics.exact import home, identity, of_chain, of_tree, product, sample, times
 
 SKEW = (
+    "nao_left_leg",
     "skew_wrist",
     "skew_shoulder",
     "symbolic_pieper",

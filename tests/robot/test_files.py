@@ -212,7 +212,7 @@ def test_path_that_is_too_long() -> None:
 
 
 @pytest.mark.parametrize(
-    ("source", "remedy"), [("puma", "Did you mean puma560?"), ("stanford", "Did you mean stanford_paul?")]
+    ("source", "remedy"), [("puma", "Did you mean puma560?"), ("stanford", "Did you mean stanford_arm?")]
 )
 def test_unknown_gallery_name(source: str, remedy: str) -> None:
     with pytest.raises(RobotError) as caught:

@@ -17,11 +17,30 @@ from kinsym.robot.files import from_draft
 from kinsym.robot.rows import cells_of
 
 JOINTS = {
+    "abb_irb120": "RRRRRR",
+    "abb_irb140": "RRRRRR",
+    "abb_irb6620lx": "PRRRRR",
+    "adept_cobra600": "RRPR",
+    "aubo_i5": "RRRRRR",
+    "brooks_pf400": "PRRR",
+    "comau_racer3": "RRRRRR",
     "cylindrical_rpp": "RPP",
+    "doosan_m1013": "RRRRRR",
     "elbow_6r_screw": "RRRRRR",
     "elbow_rrr": "RRR",
+    "fanuc_lrmate200id": "RRRRRR",
     "fanuc_s900w": "RRRRRR",
+    "gudel_fp1": "PPP",
+    "hans_elfin5": "RRRRRR",
+    "katana_450": "RRRRR",
+    "kinova_j2s6s300": "RRRRRR",
     "kuka_iiwa": "RRRRRRR",
+    "kuka_kr6_r900": "RRRRRR",
+    "kuka_youbot": "RRRRR",
+    "mitsubishi_rv4fl": "RRRRRR",
+    "nao_left_leg": "RRRRRR",
+    "niryo_one": "RRRRRR",
+    "open_manipulator_x": "RRRR",
     "planar_rr": "RR",
     "planar_rrr_craig": "RRR",
     "planar_rrr_paul": "RRR",
@@ -30,9 +49,18 @@ JOINTS = {
     "scara": "RRPR",
     "scorbot_5r": "RRRRR",
     "spherical_wrist": "RRR",
+    "stanford_arm": "RRPRRR",
     "stanford_paul": "RRPRRR",
     "stanford_screw": "RRPRRR",
+    "staubli_tx2_60": "RRRRRR",
+    "techman_tm5_700": "RRRRRR",
+    "ur10e": "RRRRRR",
+    "ur3": "RRRRRR",
     "ur5": "RRRRRR",
+    "ur5e": "RRRRRR",
+    "viperx_300s": "RRRRRR",
+    "widowx_200": "RRRRR",
+    "yaskawa_gp7": "RRRRRR",
 }
 
 
@@ -50,6 +78,11 @@ def test_robot_of_the_gallery(name: str) -> None:
     assert robot.task is not None
     assert robot.notes == ()
     assert table_lines(robot)[-1].startswith("parameters: ")
+
+
+def test_thirty_arms_have_their_numbers() -> None:
+    numbered = [name for name in gallery() if all(value is not None for value in load(name).parameters.values())]
+    assert len(numbered) >= 30
 
 
 @pytest.mark.parametrize("name", JOINTS)
