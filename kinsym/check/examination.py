@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -36,10 +37,10 @@ SET_POSES = 40
 
 #: Nearer to a singular pose than this, double roots merge (within 2 sqrt(2 tau)) and angles are soft.
 MERGED = 1e-6
-#: One in so many of those may be lost: a soft angle can leave a later step without a root.
-LOSSES = 100
-#: The same where two singularities meet.
-PAIR_LOSSES = 8
+#: The closure allowed there on a way between two vectors that count as one solution; where two singularities meet,
+#: solutions within tau^(1/4) of each other are one cluster, whose members miss the pose by the square of a third of it.
+CLOSE_PATH = 1e-8
+PAIR_PATH = 3e-6
 
 TABLE_LIMIT = 1e-30
 SLOPE_LIMIT = 1e-8
@@ -187,26 +188,35 @@ class Examination:
         """The known joint vectors are found."""
         q, count = answer
         pair, close = self.samples.of(PAIR)[which], self._close[which]
-        missed = ~self.judge.found(q, self.q[which], self.poses[which])
+        missed = ~self._found(q, which)
         clear = ~close & ~pair
         self.ledger.count(FOUND_LAW, name, int(clear.sum()), int((missed & clear).sum()))
-        lost, several = int((missed & close).sum()), int((pair & (count == 0)).sum())
-        few, fewer = f"all but 1 in {PAIR_LOSSES}", f"all but 1 in {LOSSES}"
-        self.ledger.count(CLOSE_LAW, name, int(close.sum()), _beyond(lost, close, LOSSES), limit=fewer)
-        self.ledger.count(PAIR_LAW, name, int(pair.sum()), _beyond(several, pair, PAIR_LOSSES), limit=few)
-        self.ledger.tally(f"{name}: next to a singular pose, known vector not found", lost)
-        self.ledger.tally(f"{name}: two singularities at once, no solution", several)
+        self.ledger.count(CLOSE_LAW, name, int(close.sum()), int((missed & close).sum()))
+        self.ledger.count(PAIR_LAW, name, int(pair.sum()), int((pair & (count == 0)).sum()))
         self.ledger.tally(f"{name}: two singularities at once, known vector not found", int((pair & missed).sum()))
+
+    def _found(self, q: Floats, which: Rows) -> NDArray[np.bool_]:
+        """Whether the known joint vectors are among the solutions, as finely as their poses tell them."""
+        known, poses = self.q[which], self.poses[which]
+        found = self.judge.found(q, known, poses)
+        for kind, path in ((self._close[which], CLOSE_PATH), (self.samples.of(PAIR)[which], PAIR_PATH)):
+            rows = np.flatnonzero(~found & kind)
+            if rows.size:
+                wider = replace(self.judge, path=max(self.judge.path, path))
+                found[rows] = wider.found(q[rows], known[rows], poses[rows])
+        return found
 
     def _agree(self, subject: str, left: Solutions, right: Solutions, which: Rows) -> None:
         same, sets = self.judge.agreement(left, right, self.poses[which])
         uniform, pair, close = self.samples.of(UNIFORM)[which], self.samples.of(PAIR)[which], self._close[which]
-        odd = ~sets & close
-        wrong = np.where(uniform, ~same, ~sets & ~pair & ~close)
-        failed = int(wrong.sum()) + _beyond(int(odd.sum()), close, LOSSES)
+        rows = np.flatnonzero(~sets & close)
+        if rows.size:
+            wider = replace(self.judge, path=max(self.judge.path, CLOSE_PATH))
+            first, second = ((q[rows], count[rows]) for q, count in (left, right))
+            sets[rows] = wider.agreement(first, second, self.poses[which[rows]])[1]
+        failed = int(np.where(uniform, ~same, ~sets & ~pair).sum())
         self.ledger.count(AGREE_LAW, subject, len(which), failed, limit=f"<= {SAME:g} or one double root")
         self.ledger.tally(f"{subject}: at the edge of a tolerance band", int((~same & sets).sum()))
-        self.ledger.tally(f"{subject}: next to a singular pose, not the same solutions", int(odd.sum()))
 
     @property
     def _close(self) -> NDArray[np.bool_]:
@@ -264,11 +274,6 @@ class Examination:
     def _count_solutions(self, numbers: Rows | None, oracle: Rows, some: Rows) -> None:
         uniform = self.samples.of(UNIFORM)
         self.solution_counts.update((oracle[uniform[some]] if numbers is None else numbers[uniform]).tolist())
-
-
-def _beyond(number: int, mask: NDArray[np.bool_], of: int) -> int:
-    """How many exceptions are more than one in ``of`` of a class; in a small class one is always granted."""
-    return max(0, number - int(mask.sum()) // of - 1)
 
 
 def _differences(table: TableKinematics, q: list[float]) -> Floats:
