@@ -16,11 +16,10 @@ from kinsym.algebra.linear import determinant, kernel
 from kinsym.algebra.residues import residue_of
 from kinsym.emit.prose.singular import angles, leading_to
 from kinsym.emit.text.formula import TextPrinter
-from kinsym.kinematics import singular
 from kinsym.kinematics.chain import build_chain
-from kinsym.kinematics.posture import Posture
-from kinsym.kinematics.singular import SingularSet, singular_set
-from kinsym.kinematics.zeros import postures, somewhere
+from kinsym.kinematics.singular import SingularSet, minors, singular_set
+from kinsym.kinematics.singular.posture import Posture
+from kinsym.kinematics.singular.zeros import postures, somewhere
 from kinsym.robot import from_inline, load
 from kinsym.robot.model import Task
 from tests.arms import NAMES, derivation
@@ -122,10 +121,10 @@ def test_j_loses_a_motion_on_every_part_of_every_condition_and_nowhere_by_chance
     arm = derivation(name)
     for condition in arm.singular.conditions:
         for zero in condition.zeros:
-            found = postures(arm.chain, zero, 3)
+            found = postures(arm.solved, zero, 3)
             assert found
             for posture in found:
-                assert all(arm.chain.ring.evaluate(poly, posture.values) == 0 for poly in condition.polys)
+                assert all(arm.solved.ring.evaluate(poly, posture.values) == 0 for poly in condition.polys)
                 assert kernel(posture.jacobian(arm.plan.task))
     for posture in somewhere(arm.solved, 3):
         assert not kernel(posture.jacobian(arm.plan.task))
@@ -185,7 +184,7 @@ def test_an_arm_that_moves_without_moving_its_end_has_no_list() -> None:
 
 
 def test_a_determinant_out_of_bounds_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(singular, "WORK", 1)
+    monkeypatch.setattr(minors, "WORK", 1)
     found = singular_set(build_chain(load("ur5")), Task.POSE)
     assert found.conditions == ()
     assert "too many terms" in found.missing
