@@ -46,7 +46,7 @@ def given_conditions(arm: Arm, factors: Iterable[Poly], *, square: bool) -> Iter
 def inputs(chain: Chain) -> dict[str, str]:
     """The generators that stand for the value of an input, each with the joint variable."""
     labels = {str(cell): label for cell, label in chain.constants.angles.items()}
-    found = {}
+    found: dict[str, str] = {}
     for variable, value in chain.robot.locks.items():
         if value is None:
             label = labels.get(variable)
