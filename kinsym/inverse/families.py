@@ -53,6 +53,8 @@ class Family:
 Motion = tuple[int, ...]
 """How fast each joint moves, modulo the prime."""
 
+#: An expression with more names in it than this is told by its own name, such as mu5.
+LONGEST_SQUARE = 12
 #: Sums of at most so many joints are tried as constants.
 LONGEST_SUM = 4
 
@@ -201,7 +203,7 @@ def _provided_for(chain: Chain, step: Step) -> Family | None:
     if any(set(symbols(value)) <= fixed for value in values):
         return None
     relations: tuple[Relation, ...] = (step.degenerate,)
-    if values != bases:
+    if values != bases and all(len(list(symbols(value))) <= LONGEST_SQUARE for value in values):
         relations = tuple((_bare(value, fixed), "=", ZERO) for value in values)
     return Family(conditions=relations, free=step.unknown, folded=step.rule == "direction")
 

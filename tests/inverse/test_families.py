@@ -125,3 +125,7 @@ def test_what_has_to_vanish_is_told_and_a_length_never_does(joint: str, where: d
     # theta4 is free where kappa1 = -2*d3*d5 and kappa2 are zero, which two lengths never are
     found = derive(lock(load("kuka_iiwa"), {joint: None})).families
     assert {family_conditions(f, WRITE): f.free for f in found if not f.constant} == where
+
+
+def test_what_is_too_long_to_read_keeps_its_name() -> None:
+    assert "mu5^2 + nu6^2 = 0" in told("symbolic_pieper")
