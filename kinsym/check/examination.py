@@ -218,7 +218,7 @@ class Examination:
             sets[rows] = wider.agreement(first, second, self.poses[which[rows]])[1]
         odd = int((~sets & close).sum())
         failed = int(np.where(uniform, ~same, ~sets & ~pair & ~close).sum())
-        failed += max(0, odd - int(close.sum()) // MORE_SOLUTIONS)
+        failed += max(0, odd - 1 - int(close.sum()) // MORE_SOLUTIONS)
         self.ledger.tally(f"{subject}: next to a singular pose, a solution more", odd)
         self.ledger.count(AGREE_LAW, subject, len(which), failed, limit=f"<= {SAME:g} or one double root")
         self.ledger.tally(f"{subject}: at the edge of a tolerance band", int((~same & sets).sum()))
