@@ -24,6 +24,8 @@ Matrix = list[list[Value]]
 ON_THE_POSE = 4
 #: A root that is not in doubt was found if it is polished to this distance; the pose itself may be off by the rest.
 POLISHED = 1e-9
+#: One in doubt must come as near as this.
+CERTAIN = 1e-12
 #: Two vectors as near in every joint, in radians or sizes of the arm, are one if one of them was in doubt, and if one
 #: of them was moved.
 ALIKE = 1e-3
@@ -87,7 +89,7 @@ class Settler:
         if self._distance(self._differences(start, goal)) <= goal.reach:
             return [given]
         q, left = self._polished(start, goal)
-        if left > goal.reach and (Mark.DOUBTFUL in mark or left > POLISHED):
+        if left > max(goal.reach, CERTAIN if Mark.DOUBTFUL in mark else POLISHED):
             return []
         found = [given._replace(q=self._in_range(q), alike=max(given.alike, MOVED))]
         if Mark.BORDER in mark:
