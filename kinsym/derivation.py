@@ -6,6 +6,9 @@ from dataclasses import dataclass, replace
 
 from kinsym.algebra.convert import tree_of
 from kinsym.algebra.tree import Definition
+from kinsym.errors import NoClosedForm
+from kinsym.general.plan import GeneralPlan
+from kinsym.general.select import general_plan
 from kinsym.inverse.plan import Plan
 from kinsym.inverse.search import derive_plan
 from kinsym.kinematics.chain import Chain, build_chain
@@ -17,13 +20,17 @@ from kinsym.robot.model import Robot, Task
 
 @dataclass(frozen=True, kw_only=True)
 class Derivation:
-    """A robot with its kinematics; ``robot.task`` is the task that was solved."""
+    """A robot with its kinematics; ``robot.task`` is the task that was solved.
+
+    Exactly one of ``plan`` (closed form) and ``general`` (one angle from a polynomial) is there.
+    """
 
     robot: Robot
     chain: Chain
     forward: Forward
     jacobian: Jacobian
-    plan: Plan
+    plan: Plan | None
+    general: GeneralPlan | None = None
 
     @property
     def constants(self) -> tuple[Definition, ...]:
@@ -34,7 +41,7 @@ class Derivation:
 def derive(robot: Robot, *, task: Task | None = None) -> Derivation:
     """Derive forward kinematics, Jacobian and inverse kinematics of a robot.
 
-    Raises :class:`kinsym.errors.NoClosedForm` where no rule applies.
+    Raises :class:`kinsym.errors.NoClosedForm` where no rule applies and the general solver does not either.
 
     >>> from kinsym.robot import load
     >>> derive(load("puma560")).plan.maximum
@@ -44,5 +51,23 @@ def derive(robot: Robot, *, task: Task | None = None) -> Derivation:
     forward = forward_kinematics(chain)
     jacobian = geometric_jacobian(chain, forward)
     chosen = task or robot.task or fitting_task(chain, jacobian)
-    plan = derive_plan(chain, chosen)
-    return Derivation(robot=replace(robot, task=chosen), chain=chain, forward=forward, jacobian=jacobian, plan=plan)
+    plan, general = _inverse(chain, chosen)
+    return Derivation(
+        robot=replace(robot, task=chosen),
+        chain=chain,
+        forward=forward,
+        jacobian=jacobian,
+        plan=plan,
+        general=general,
+    )
+
+
+def _inverse(chain: Chain, task: Task) -> tuple[Plan | None, GeneralPlan | None]:
+    """The closed form, or where there is none the general solver of six joints."""
+    try:
+        return derive_plan(chain, task), None
+    except NoClosedForm as refusal:
+        general = general_plan(chain, task, str(refusal))
+        if general is None:
+            raise
+        return None, general

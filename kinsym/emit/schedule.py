@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kinsym.algebra.tree import Tree
+from kinsym.general.plan import GeneralPlan
 from kinsym.inverse.plan import Definition, Step
 from kinsym.robot.model import Task
 
@@ -76,6 +77,7 @@ class Schedule:
     inverse     the statements of the inverse kinematics; the names u_x..p_z are the entries of the pose.
     solution    the names of the joint values, in the order of joints, known at level ``depth``.
     maximum     the largest number of solutions, the product of ``widths``.
+    general     the plan of an arm without a closed form; ``inverse`` is empty then.
     """
 
     name: str
@@ -95,6 +97,7 @@ class Schedule:
     gate: bool
     size: Tree
     tau: Fraction
+    general: GeneralPlan | None = None
 
     @property
     def widths(self) -> tuple[int, ...]:

@@ -74,6 +74,11 @@ class Link:
     rotation: tuple[tuple[Tree, ...], ...]
     translation: tuple[Tree, ...]
 
+    @property
+    def entries(self) -> tuple[Tree, ...]:
+        """The twelve entries: rotation row by row, then the translation."""
+        return (*(entry for row in self.rotation for entry in row), *self.translation)
+
 
 @dataclass(frozen=True, kw_only=True)
 class GeneralPlan:
@@ -107,3 +112,8 @@ class GeneralPlan:
     size: Tree
     tau: Fraction = Fraction(1, 2**46)
     why: str
+
+    @property
+    def transforms(self) -> tuple[Link, ...]:
+        """B, L1 .. L6."""
+        return (self.base, *self.links)

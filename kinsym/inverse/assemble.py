@@ -34,7 +34,7 @@ def assemble(chain: Chain, task: Task, items: tuple[Item, ...]) -> Plan:
         values=values,
         maximum=maximum,
         gate=len(chain.joints) < FIXED[task] or task in IN_A_PLANE,
-        size=_size(chain),
+        size=size_of(chain),
     )
 
 
@@ -159,7 +159,7 @@ def _writes(item: Item) -> tuple[str, ...]:
     return (*(definition.name for definition in item.coefficients), *item.outputs)
 
 
-def _size(chain: Chain) -> Tree:
+def size_of(chain: Chain) -> Tree:
     """The size of the arm: the sum of its constant lengths, and where it slides the pose's own coordinates."""
     terms: list[Tree] = []
     for joint in chain.joints:
