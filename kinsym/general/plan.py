@@ -79,6 +79,12 @@ class Link:
         """The twelve entries: rotation row by row, then the translation."""
         return (*(entry for row in self.rotation for entry in row), *self.translation)
 
+    @property
+    def places(self) -> tuple[tuple[tuple[int, int], Tree], ...]:
+        """The same with their row and column in a 3 x 4 matrix."""
+        rows = zip(self.rotation, self.translation, strict=True)
+        return tuple(((i, j), value) for i, (row, p) in enumerate(rows) for j, value in enumerate((*row, p)))
+
 
 @dataclass(frozen=True, kw_only=True)
 class GeneralPlan:

@@ -19,6 +19,8 @@ from kinsym.emit.source.kernels import ANGLE, KERNELS, kernels_used
 from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
 from kinsym.emit.source.statements import KernelCall, inverse_views
 from kinsym.emit.source.wrapping import WIDTH, cut, fill
+from kinsym.general.plan import GeneralPlan
+from kinsym.general.tables import BORDER_COLUMN, BORDER_ROW, OFFSET, arc_table, chebyshev_points, local_table
 
 
 class NumpyPrinter(Printer):
@@ -68,6 +70,8 @@ def numpy_source(schedule: Schedule) -> dict[str, str]:
         "comment": comment,
     }
     names |= _constants(schedule) | _signatures(schedule, inverse) | _helpers(inverse)
+    if schedule.general:
+        names |= _general(schedule, schedule.general, inverse, printer)
     return {f"{schedule.name}.py": render("numpy/module.py.jinja", **names)}
 
 
@@ -103,6 +107,47 @@ def _signatures(schedule: Schedule, inverse: InverseNeeds) -> dict[str, Any]:
         "solve_head": head("_solve", arguments + solving),
         "solve_call": [*(name if name != "reference" else "near[part].T" for name in arguments), "*parameters"],
     }
+
+
+def _general(schedule: Schedule, plan: GeneralPlan, inverse: InverseNeeds, printer: Printer) -> dict[str, Any]:
+    """What the solver of an arm without a closed form reads."""
+    entries = [
+        code(f"links[{number}, {row}, {column}]", printer(value))
+        for number, link in enumerate(plan.transforms)
+        for (row, column), value in link.places
+        if value != ZERO
+    ]
+    needed = [parameter.name for parameter in inverse.parameters]
+    every = [parameter.name for parameter in schedule.parameters]
+    return {
+        "cuts": [
+            (tuple(number - 1 for number in cut.order), cut.backward, cut.shift, cut.bordered) for cut in plan.cuts
+        ],
+        "signs": plan.signs,
+        "letters": plan.kinds,
+        "virtual": plan.virtual,
+        "columns": "2:" if plan.virtual else ":",
+        "names_in_order": ", ".join(joint.name for joint in schedule.joints),
+        "link_entries": entries,
+        "links_head": head("_links", needed),
+        "links_call": ", ".join(f'parameters["{name}"]' for name in needed),
+        "blocks_call": ["T", "reference", f"dict({', '.join(f'{name}={name}' for name in every)})"],
+        "offset": OFFSET,
+        "border_column": list(BORDER_COLUMN),
+        "border_row": list(BORDER_ROW),
+        "arc_table": [_row(row) for row in arc_table()],
+        "points": _array(chebyshev_points()),
+        "local_table": [_row(row) for row in local_table()],
+    }
+
+
+def _array(values: Sequence[float]) -> str:
+    return f"np.array([{', '.join(map(repr, values))}])"
+
+
+def _row(values: Sequence[float]) -> str:
+    """One row of a table of numbers, on as many lines as it takes."""
+    return "\n".join(f"    {part}" for part in cut(f"[{', '.join(map(repr, values))}],", WIDTH - 4))
 
 
 def _helpers(inverse: InverseNeeds) -> dict[str, Any]:
