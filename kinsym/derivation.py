@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from kinsym.algebra.convert import tree_of
 from kinsym.algebra.tree import Definition
 from kinsym.errors import NoClosedForm
+from kinsym.general.calibrate import best_two
 from kinsym.general.plan import GeneralPlan
 from kinsym.general.select import general_plan
 from kinsym.inverse.plan import Plan
@@ -52,7 +53,7 @@ def derive(robot: Robot, *, task: Task | None = None) -> Derivation:
     jacobian = geometric_jacobian(chain, forward)
     chosen = task or robot.task or fitting_task(chain, jacobian)
     plan, general = _inverse(chain, chosen)
-    return Derivation(
+    derivation = Derivation(
         robot=replace(robot, task=chosen),
         chain=chain,
         forward=forward,
@@ -60,6 +61,15 @@ def derive(robot: Robot, *, task: Task | None = None) -> Derivation:
         plan=plan,
         general=general,
     )
+    return _calibrated(derivation, general) if general else derivation
+
+
+def _calibrated(derivation: Derivation, general: GeneralPlan) -> Derivation:
+    """The derivation with the best of the usable cuts."""
+    from kinsym.emit.program import build_schedule
+
+    cuts = best_two(build_schedule(derivation))
+    return replace(derivation, general=replace(general, cuts=cuts))
 
 
 def _inverse(chain: Chain, task: Task) -> tuple[Plan | None, GeneralPlan | None]:

@@ -19,7 +19,7 @@ def general_plan(chain: Chain, task: Task, why: str) -> GeneralPlan | None:
     cuts = usable(arm)
     if not cuts:
         return None
-    return _plan(arm, task, why, tuple(cuts[:1]))
+    return _plan(arm, task, why, tuple(cuts))
 
 
 def _plan(arm: Arm, task: Task, why: str, cuts: tuple[Cut, ...]) -> GeneralPlan:

@@ -130,7 +130,7 @@ def _general(schedule: Schedule, plan: GeneralPlan, inverse: InverseNeeds, print
         "names_in_order": ", ".join(joint.name for joint in schedule.joints),
         "link_entries": entries,
         "links_head": head("_links", needed),
-        "links_call": ", ".join(f'parameters["{name}"]' for name in needed),
+        "link_parameters": _tuple(needed),
         "blocks_call": ["T", "reference", f"dict({', '.join(f'{name}={name}' for name in every)})"],
         "offset": OFFSET,
         "border_column": list(BORDER_COLUMN),
