@@ -16,9 +16,9 @@ from kinsym.general.plan import Cut
 if TYPE_CHECKING:
     from kinsym.emit.schedule import Schedule
 
-FEW, MANY = 96, 400
+FEW, MANY = 64, 300
 """Poses at which every cut is tried, and those at which the best are tried again."""
-KEPT = 8
+KEPT = 6
 REACH = 3.0
 """How far a joint slides either way, in mean lengths of links."""
 SEED = 6

@@ -103,3 +103,25 @@ def local_table() -> Table:
 
 def _rounded(rows: list) -> Table:  # type: ignore[type-arg]
     return tuple(tuple(float(value) if abs(value) > 1e-40 else 0.0 for value in row) for row in rows)
+
+
+@cache
+def turns(count: int) -> Table:
+    """Cosine and sine of the multiples of a turn divided by ``count``."""
+    ctx = _context()
+    angles = [2 * ctx.pi * k / count for k in range(count)]
+    return _rounded([[ctx.cos(angle), ctx.sin(angle)] for angle in angles])
+
+
+@cache
+def start() -> tuple[float, ...]:
+    """Cosine and sine of :data:`OFFSET`."""
+    ctx = _context()
+    return float(ctx.cos(OFFSET)), float(ctx.sin(OFFSET))
+
+
+@cache
+def arc_end() -> float:
+    """h, the tangent of a quarter of an arc: where v ends on it."""
+    ctx = _context()
+    return float(ctx.tan(ctx.pi / (2 * ARCS)))

@@ -13,6 +13,7 @@ from kinsym.general.plan import Cut, GeneralPlan, Link
 
 #: The parts of the solver in the order in which they are printed, one template each.
 PARTS = (
+    "links",
     "motion",
     "arm",
     "loop",

@@ -16,6 +16,7 @@ from kinsym.emit.environment import render
 from kinsym.emit.printer import Printer, decimal
 from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.banner import banner, c_comment
+from kinsym.emit.source.c_general import general_names
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import kernels_used
 from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
@@ -68,6 +69,8 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "code": code,
         "comment": comment,
     }
+    if schedule.general:
+        names |= {"general": general_names(schedule.general, printer), "functions": names["functions"] | {"wrap"}}
     return {
         f"{schedule.name}.h": render("c/header.h.jinja", **names),
         f"{schedule.name}.c": render("c/source.c.jinja", **names),
@@ -115,12 +118,14 @@ def _heads(schedule: Schedule) -> dict[str, str]:
     name, joints = schedule.name, f"{schedule.name.upper()}_JOINTS"
     vector, parameters, solutions = f"const double q[{joints}]", f"const {name}_params *p", f"double q[][{joints}]"
     size = ", double size" if gate_entries(schedule.task).position else ""
+    returned = "double" if schedule.gate and size else "void"
     return {
         "fk": f"void {name}_fk({vector}, {parameters}, double T[16])",
         "jacobian": f"void {name}_jacobian({vector}, {parameters}, double J[6 * {joints}])",
         "ik": f"int {name}_ik(const double T[16], {parameters}, {solutions})",
         "ik_near": f"int {name}_ik_near(const double T[16], {parameters}, "
         f"const double reference[{joints}], {solutions})",
+        "constant_motions": f"static {returned} constant_motions(const {name}_params *p, rigid_motion out[7])",
         "reaches": f"static int reaches({vector}, {parameters}, const double M[12], double tau{size})",
     }
 
