@@ -13,6 +13,7 @@ from typing import Any
 
 from kinsym.algebra.tree import Sym
 from kinsym.check.evaluate import Compiled, Environment, Program, compiled, exact
+from kinsym.check.general import GeneralOracle
 from kinsym.check.kernels import KERNELS
 from kinsym.check.task import ENTRIES, POSITION
 from kinsym.emit.schedule import Assign, Note, Schedule, Solve
@@ -63,6 +64,11 @@ class ExactWalk:
                 case Note():
                     continue
         self._limits = {name: numbers.number(value) for name, value in _LIMITS.items()}
+        self._general = (
+            GeneralOracle(self.ctx, numbers, schedule.general, self.given, self.forward, self.jacobian)
+            if schedule.general
+            else None
+        )
 
     def forward(self, q: Sequence[Value]) -> list[list[Value]]:
         """The pose as three rows of four entries (u, v, w, p)."""
@@ -81,6 +87,8 @@ class ExactWalk:
         if checked is None:
             return None
         rows, tau = checked
+        if self._general is not None:
+            return self._general.solutions(rows)
         env: Environment = {**self.given, "tau": tau}
         for row, axis in zip(rows, "xyz", strict=True):
             env.update({f"{column}_{axis}": value for column, value in zip("uvwp", row, strict=True)})
