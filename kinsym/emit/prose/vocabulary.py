@@ -21,7 +21,11 @@ def all_names(derivation: Derivation) -> Iterator[str]:
     trees: list[Tree] = [entry for row in derivation.forward.pose for entry in row]
     trees += [entry for row in derivation.jacobian.entries for entry in row]
     definitions = [*derivation.constants, *derivation.jacobian.definitions]
-    for item in plan.items:
+    if derivation.general is not None:
+        for angle in derivation.chain.angles.values():
+            if len(angle.terms) == 1:
+                yield from (angle.name, angle.cosine, angle.sine)
+    for item in plan.items if plan else ():
         match item:
             case Window():
                 definitions += item.definitions

@@ -31,6 +31,7 @@ from kinsym.emit.prose.wording import (
     shown_items,
     sifting,
 )
+from kinsym.emit.text.general import general_steps
 from kinsym.emit.text.page import Page
 from kinsym.inverse.cut import link_letter
 from kinsym.inverse.plan import Plan, Step, Window
@@ -254,7 +255,6 @@ def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, f
     page = Page(width=width, ascii=ascii)
     robot, plan = derivation.robot, derivation.plan
     title = one_line(robot.title) or robot.name
-    found = joint_values(plan, page)
     sections = [
         f"{title}\n{'=' * len(title)}",
         f"{_heading(CONVENTIONS[robot.convention])}\n{table(robot, page)}",
@@ -266,8 +266,12 @@ def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, f
     sections.append(f"{_heading('Forward kinematics')}\n{forward_kinematics(derivation, page)}")
     if full:
         sections.append(f"{_heading('Jacobian')}\n{jacobian(derivation.forward, derivation.jacobian, page)}")
-    sections.append(f"{_heading('Inverse kinematics')}\n{derivation_steps(robot, plan, page)}")
-    if found:
-        sections.append(f"{_heading('Joint values')}\n{found}")
-    sections.append(f"{_heading('Solutions')}\n{solutions(plan, page)}")
+    if derivation.general is not None:
+        sections.append(f"{_heading('Inverse kinematics')}\n{general_steps(derivation, derivation.general, page)}")
+        sections.append(f"{_heading('Solutions')}\n  at most {counted(derivation.general.maximum, 'solution')}")
+    if plan is not None:
+        sections.append(f"{_heading('Inverse kinematics')}\n{derivation_steps(robot, plan, page)}")
+        if found := joint_values(plan, page):
+            sections.append(f"{_heading('Joint values')}\n{found}")
+        sections.append(f"{_heading('Solutions')}\n{solutions(plan, page)}")
     return "\n\n".join(sections) + "\n"
