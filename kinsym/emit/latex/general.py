@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from kinsym.emit.latex.layout import Block, Relation, aligned
 from kinsym.emit.latex.names import Names
-from kinsym.emit.latex.sentences import capital, prose
+from kinsym.emit.latex.sentences import capital, escape
 from kinsym.emit.prose.general import Formula, stages
 from kinsym.general.plan import GeneralPlan
 
@@ -48,8 +49,44 @@ def general_passages(derivation: Derivation, plan: GeneralPlan, names: Names) ->
                 pieces.append(Piece(blocks=aligned(pending)))
                 pending = []
             if piece:
-                pieces.append(Piece(text=capital(prose(piece, names))))
+                pieces.append(Piece(text=capital(_sentence(piece, names))))
         unknowns = ", ".join(names[name] for name in stage.unknowns)
-        title = stage.title if unknowns else capital(stage.title)
-        result.append(Passage(number=number, unknowns=unknowns, title=title, pieces=tuple(pieces)))
+        result.append(Passage(number=number, unknowns=unknowns, title=stage.title, pieces=tuple(pieces)))
     return tuple(result)
+
+
+_WORDS = {
+    "psi0": r"\psi_{0}",
+    "psi": r"\psi",
+    "phi": r"\phi",
+    "mu": r"\mu",
+    "nu": r"\nu",
+    "x": r"\times",
+    "Mi": "M_{i}",
+    "Li": "L_{i}",
+    "1e-10": "10^{-10}",
+}
+
+
+def _sentence(text: str, names: Names) -> str:
+    r"""A sentence with the mathematics in its braces.
+
+    >>> _sentence("{R nu = P_1 mu} gives {nu} at 100 %", Names([]))
+    '$R \\nu = P_1 \\mu$ gives $\\nu$ at 100 \\%'
+    """
+    parts = re.split(r"\{(.*?)\}", text)
+    return "".join(f"${_formula(part, names)}$" if k % 2 else _spaced(part) for k, part in enumerate(parts))
+
+
+def _formula(text: str, names: Names) -> str:
+    def token(match: re.Match[str]) -> str:
+        word = match[0]
+        return _WORDS.get(word) or (names[word] if word in names else word)
+
+    return re.sub(r"[A-Za-z0-9_-]+", token, text)
+
+
+def _spaced(text: str) -> str:
+    """Escaped text that keeps the blanks at its ends."""
+    lead, tail = text[: len(text) - len(text.lstrip())], text[len(text.rstrip()) :]
+    return f"{lead}{escape(text)}{tail if text.strip() else ''}"

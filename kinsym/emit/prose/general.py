@@ -29,7 +29,10 @@ class Formula:
 
 @dataclass(frozen=True)
 class Stage:
-    """One numbered step: its unknown, or what it is about, and sentences with formulas between them."""
+    """One numbered step: its unknowns, what happens to them, and sentences with formulas between them.
+
+    In a sentence what stands in braces is mathematics.
+    """
 
     unknowns: tuple[str, ...]
     title: str
@@ -87,8 +90,8 @@ class _General:
         product, loop = self._chain(self.cut)
         way = "backward" if self.cut.backward else "forward"
         body: list[str | Formula] = [
-            "Mi is the motion of joint i about or along its axis, Li the constant transform that follows it, B the one"
-            " before the first joint:",
+            "{Mi} is the motion of joint {i} about or along its axis, {Li} the constant transform that follows it, {B} the"
+            " one before the first joint:",
             Formula(("T", text), ("T", _tex_product(text))),
             "The pose closes the arm to a loop of six joints:",
             Formula(("G", "L6 T^-1 B"), ("G", r"L_{6} T^{-1} B")),
@@ -97,7 +100,7 @@ class _General:
             Formula((product, "I"), (loop, "I")),
         ]
         if self.plan.virtual:
-            body.insert(0, "Joint 6 is none of the robot: it turns the tool about its own axis by an angle phi, which the"
+            body.insert(0, "Joint 6 is none of the robot: it turns the tool about its own axis by an angle {phi}, which the"
                         " task leaves open.")
         return Stage((), "the loop", tuple(body))
 
@@ -127,14 +130,14 @@ class _General:
             (unknown,),
             "dropped, 14 equations",
             (
-                f"A turn by {unknown} leaves the axis of joint {self.cut.dropped} where it is. So both sides of the loop do"
+                f"A turn by {_inline(unknown)} leaves the axis of joint {self.cut.dropped} where it is. So both sides of the loop do"
                 " the same to this axis, and the angle is gone:",
                 Formula(
                     (f"{left} psi0", f"{right} psi0"),
                     (f"{_tex_product(left)} \\, \\psi_{{0}}", f"{_tex_product(right)} \\, \\psi_{{0}}"),
                 ),
-                "A line of direction l through a point p is written as 15 numbers, which a motion maps linearly; psi0 is"
-                " the z axis through the origin:",
+                "A line of direction {l} through a point {p} is written as 15 numbers, which a motion {R, t} maps linearly;"
+                " {psi0} is the {z} axis through the origin:",
                 Formula(
                     ("psi", "(1, p, q, l, s, m, w),  q = p.p,  s = p.l,  m = p x l,  w = q l - 2 s p"),
                     (
@@ -156,7 +159,8 @@ class _General:
                     ("w'", r"R w - 2 t \times R m + (t \cdot t) \, R l - 2 s' t"),
                 ),
                 "Its entries behind the 1 are 14 equations. On the left they are linear in the products of"
-                f" {m[2][0]}, {m[3][0]} and {m[4][0]}, on the right in those of {m[1][0]} and {m[0][0]}:",
+                f" {_inline(m[2][0])}, {_inline(m[3][0])} and {_inline(m[4][0])}, on the right in those of"
+                f" {_inline(m[1][0])} and {_inline(m[0][0])}:",
                 Formula(("P mu", "Q nu,  P 14 x 27, Q 14 x 8"), (r"P \mu", r"Q \nu , \quad P\ 14 \times 27,\; Q\ 14 \times 8")),
             ),
         )
@@ -166,7 +170,7 @@ class _General:
             (self._variable(1), self._variable(0)),
             "eliminated, six equations",
             (
-                "The eight products nu of these two joints are eliminated: an orthogonal transformation makes Q"
+                "The eight products {nu} of these two joints are eliminated: an orthogonal transformation makes {Q}"
                 " upper triangular, eight rows hold them and six do not:",
                 Formula(("R nu", "P_1 mu"), (r"R \nu", r"P_{1} \mu")),
                 Formula(("E mu", "0,  E 6 x 27"), (r"E \mu", r"0 , \quad E\ 6 \times 27")),
@@ -180,17 +184,17 @@ class _General:
         else:
             start = (Formula(("X", f"tan({x}/2)"), ("X", f"\\tan({self.name(x)}/2)")),)
         w_text, w_tex = self._monomials(self._y)
-        where = "" if self._kind(self._x) == "P" else f", after a product with 1 + X^2,"
+        where = "" if self._kind(self._x) == "P" else ", after a product with {1 + X^2},"
         return Stage(
             (x, y),
             "twelve equations",
             (
-                f"The six equations are quadratic in X{where} and linear in W; A, B and C are 6 x 3 and linear in the"
-                f" cosine and the sine of {unknown}:",
+                f"The six equations are quadratic in {{X}}{where} and linear in {{W}}; {{A}}, {{B}} and {{C}} are {{6 x 3}} and"
+                f" linear in the cosine and the sine of {_inline(unknown)}:",
                 *start,
                 Formula(("W", w_text), ("W", w_tex)),
                 Formula(("(A X^2 + B X + C) W", "0"), (r"(A X^{2} + B X + C) \, W", "0")),
-                "With these multiplied by X there are twelve equations in twelve products:",
+                "With these multiplied by {X} there are twelve equations in twelve products:",
                 Formula(
                     ("M (X^3 W, X^2 W, X W, W)", "0,  M = [A B C 0; 0 A B C]"),
                     (
@@ -215,13 +219,13 @@ class _General:
         body: list[str | Formula] = []
         if self.cut.bordered:
             body += [
-                "The arm is its own mirror image: M loses two ranks at a solution, so its determinant has double roots"
-                " alone. With a fixed column b and a fixed row c around it the roots are simple:",
+                "The arm is its own mirror image: {M} loses two ranks at a solution, so its determinant has double roots"
+                " alone. With a fixed column {b} and a fixed row {c} around it the roots are simple:",
                 Formula(
                     (f"f({unknown})", "det [M b; c 0] = 0"),
                     (f"f({name})", r"\det \begin{bmatrix} M & b \\ c & 0 \end{bmatrix} = 0"),
                 ),
-                "What is then no solution has a matrix M of rank 11 or 12 and is left out.",
+                "What is then no solution has a matrix {M} of rank 11 or 12 and is left out.",
             ]
         else:
             body.append(Formula((f"f({unknown})", "det M = 0"), (f"f({name})", r"\det M = 0")))
@@ -250,8 +254,8 @@ class _General:
             second = Formula(
                 (y, "Atan2(W_1/W_3, W_2/W_3)"), (self.name(y), r"\operatorname{Atan2}(W_{1}/W_{3},\, W_{2}/W_{3})")
             )
-        many = " Two null vectors hold two solutions: N_1 g = X N_2 g for their parts X^2 W and X W." if self.cut.bordered else ""
-        return Stage((x, y), "from the null vector", (f"The null vector of M at a root holds X and W.{many}", first, second))
+        many = " Two null vectors hold two solutions: {N_1 g = X N_2 g} for their parts {X^2 W} and {X W}." if self.cut.bordered else ""
+        return Stage((x, y), "from the null vector", (f"The null vector of {{M}} at a root holds {{X}} and {{W}}.{many}", first, second))
 
     def _others(self) -> Stage:
         formulas = []
@@ -269,12 +273,12 @@ class _General:
         return Stage(
             (self._variable(1), self._variable(0), self._variable(5)),
             "from what is known",
-            ("R nu = P_1 mu gives nu, the loop the joint that was dropped:", *formulas),
+            ("{R nu = P_1 mu} gives {nu}, the loop the joint that was dropped:", *formulas),
         )
 
     def _polish(self) -> Stage:
         body = [
-            "Newton's method with the Jacobian brings every solution onto the pose. What stays off it by more than 1e-10 of"
+            "Newton's method with the Jacobian brings every solution onto the pose. What stays off it by more than {1e-10} of"
             " the arm's length is none; what comes twice is returned once."
         ]
         if len(self.plan.cuts) > 1:
@@ -282,10 +286,15 @@ class _General:
             way = "backward" if other.backward else "forward"
             body.append(
                 "Where a root has no solution of its own the loop is opened a second time, behind joint"
-                f" {other.dropped} and {way}, with {self.variables[other.suppressed - 1]} as the unknown of the polynomial."
+                f" {other.dropped} and {way}, with {_inline(self.variables[other.suppressed - 1])} as the unknown of the polynomial."
             )
-        body.append(f"Solutions are sorted by {self.variables[0]}, then {self.variables[1]} and so on.")
+        body.append(f"Solutions are sorted by {_inline(self.variables[0])}, then {_inline(self.variables[1])} and so on.")
         return Stage((), "polished, sorted", tuple(body))
+
+
+def _inline(text: str) -> str:
+    """Mathematics inside a sentence."""
+    return f"{{{text}}}"
 
 
 def _inverse(factor: str) -> str:

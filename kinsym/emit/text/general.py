@@ -31,6 +31,6 @@ def general_steps(derivation: Derivation, plan: GeneralPlan, page: Page) -> str:
             if isinstance(piece, Formula):
                 lines.append(page.equation(*piece.text, indent=8))
             else:
-                lines.append(page.prose(piece, indent=6))
+                lines.append(page.prose(piece.replace("{", "").replace("}", ""), indent=6))
         parts.append("\n".join(lines))
     return "\n\n".join(parts)
