@@ -37,7 +37,7 @@ class Joint:
 
 
 class Elimination:
-    """One loop cut open: ``roots`` are candidates for the joint values in the order N0 .. N5."""
+    """One loop cut open: ``candidates`` are joint values in the order N0 .. N5 for the ``angles`` of N2."""
 
     def __init__(self, ctx: Any, cut: Cut, joints: Sequence[Joint], links: Sequence[Motion]) -> None:
         """``joints`` and ``links`` are the robot's, six each; the last link closes the loop."""
@@ -52,9 +52,9 @@ class Elimination:
         self.upper, self.lower = self._equations()
         self.parts = self._half_angles()
 
-    def candidates(self) -> Iterator[Vector]:
+    def candidates(self, angles: list[Value]) -> Iterator[Vector]:
         """Joint values N0 .. N5 near every solution, and near some that are none."""
-        for theta in self._angles():
+        for theta in angles:
             found = null_vectors(self.ctx, self._matrix(self.ctx.sin(theta), self.ctx.cos(theta)))
             for x, y in self._pairs(*found):
                 values = self._completed(theta, x, y)
@@ -144,7 +144,7 @@ class Elimination:
         rows = list(zip(*blocks, strict=True))
         return [[*a, *b, *c, *zero] for a, b, c in rows] + [[*zero, *a, *b, *c] for a, b, c in rows]
 
-    def _angles(self) -> list[Value]:
+    def angles(self) -> list[Value]:
         """The suppressed angles at which the determinant vanishes, or nearly does."""
         ctx = self.ctx
         turn = 2 * ctx.pi / SAMPLES

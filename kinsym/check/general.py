@@ -7,13 +7,15 @@ from typing import Any
 
 from kinsym.check.elimination import Elimination, Joint, Matrix, Motion, Vector, inverted, product
 from kinsym.check.evaluate import Arithmetic, Program
-from kinsym.general.plan import GeneralPlan
+from kinsym.general.plan import Cut, GeneralPlan
 
 Value = Any
 Kinematics = Callable[[Sequence[Value]], list[list[Value]]]
 
 ACCEPTED = 1e-10
 REPEATED = 1e-6
+CROWDED = 1e-3
+BESIDE = 0.01
 EXACT = 1e-40
 STEPS = 16
 SMALLEST_PIVOT = 1e-12
@@ -43,35 +45,59 @@ class GeneralOracle:
 
     def solutions(self, rows: list[list[Value]]) -> list[Vector]:
         """The joint vectors of a pose (three rows of four), sorted as in the generated code."""
-        ctx = self.ctx
         wanted: Motion = [row[:3] for row in rows], [row[3] for row in rows]
-        closing = product(ctx, product(ctx, self._links[5], inverted(ctx, wanted)), self._base)
-        lengths = [ctx.norm(link[1]) for link in self._links[:5]]
-        length = max(ctx.fsum(lengths) / 5, ctx.norm(closing[1]) / 5) or ctx.one
-        links = [(rotation, [t / length for t in shift]) for rotation, shift in (*self._links[:5], closing)]
+        length = self._length(wanted)
+        found, certain = self._found(self.plan.cuts[-1], wanted, rows, length, [])
+        if not certain:
+            found, _ = self._found(self.plan.cuts[0], self._beside(wanted, length), rows, length, found)
+        return sorted(found, key=lambda q: [self.ctx.nint(x / unit * 10**6) for x, unit in self._in_units(q, length)])
+
+    def _closing(self, wanted: Motion) -> Motion:
+        ctx = self.ctx
+        return product(ctx, product(ctx, self._links[5], inverted(ctx, wanted)), self._base)
+
+    def _length(self, wanted: Motion) -> Value:
+        """The unit of length: the mean length of the links, more for a pose that only slides reach."""
+        ctx = self.ctx
+        mean = ctx.fsum(ctx.norm(link[1]) for link in self._links[:5]) / 5
+        return max(mean, ctx.norm(self._closing(wanted)[1]) / 5) or ctx.one
+
+    def _beside(self, wanted: Motion, length: Value) -> Motion:
+        """A pose turned and shifted by a hundredth, at which no solutions share an angle by symmetry."""
+        c, s = self.ctx.cos(BESIDE), self.ctx.sin(BESIDE)
+        zero, one = self.ctx.zero, self.ctx.one
+        turn: Motion = [[c, -s, zero], [s, c, zero], [zero, zero, one]], [zero] * 3
+        tilt: Motion = [[one, zero, zero], [zero, c, -s], [zero, s, c]], [BESIDE * length, -BESIDE * length / 2, zero]
+        return product(self.ctx, product(self.ctx, wanted, turn), tilt)
+
+    def _found(
+        self, cut: Cut, posed: Motion, rows: list[list[Value]], length: Value, before: list[Vector]
+    ) -> tuple[list[Vector], bool]:
+        """The solutions that one cut finds from a pose, with those found before, and whether there can be no more."""
+        ctx = self.ctx
+        links = [(turn, [t / length for t in shift]) for turn, shift in (*self._links[:5], self._closing(posed))]
         joints = [Joint(kind, sign) for kind, sign in zip(self.plan.kinds, self.plan.signs, strict=True)]
-        cut = self.plan.cuts[-1]
-        found: list[Vector] = []
-        for values in Elimination(ctx, cut, joints, links).candidates():
+        elimination = Elimination(ctx, cut, joints, links)
+        angles = elimination.angles()
+        found = list(before)
+        for values in elimination.candidates(angles):
             q = [ctx.zero] * 6
             for number, value in zip(cut.order, values, strict=True):
                 q[number - 1] = value * length if joints[number - 1].kind == "P" else value
             polished = self._polished(q[: len(self.kinds)], rows, length)
-            if polished is not None and not any(self._same(polished, other, length) for other in found):
+            if polished is not None and not any(self._same(polished, other, rows, length) for other in found):
                 found.append(polished)
-        return sorted(found, key=lambda q: [ctx.nint(value / unit * 10**6) for value, unit in self._in_units(q, length)])
+        alone = sorted(q[cut.suppressed - 1] for q in found)
+        shared = 3 if cut.bordered else 2
+        crowded = any(high - low < CROWDED for low, high in zip(alone, alone[shared - 1 :], strict=False))
+        return found, len(angles) == len(found) and not crowded
 
     def _polished(self, q: Vector, rows: list[list[Value]], length: Value) -> Vector | None:
         """The joint vector brought onto the pose by Newton's method; None if it does not get there."""
         best, closest = q, self.ctx.inf
         for step in range(STEPS):
             reached = self.forward(q)
-            off = max(
-                abs(a - b) / (length if j == 3 else 1)
-                for row, other in zip(reached, rows, strict=True)
-                for j, (a, b) in enumerate(zip(row, other, strict=True))
-                if j >= 2 or not self.plan.virtual
-            )
+            off = self._off(reached, rows, length)
             if off < closest:
                 best, closest = q, off
             if off < EXACT or (off > 0.1 and step >= 4) or (off > 1e-3 and step >= 7):
@@ -80,6 +106,15 @@ class GeneralOracle:
         if closest >= ACCEPTED:
             return None
         return [self._wrapped(value) if kind == "R" else value for value, kind in zip(best, self.kinds, strict=True)]
+
+    def _off(self, reached: Matrix, rows: Matrix, length: Value) -> Value:
+        """The largest difference of the entries that count, lengths in units of the arm's."""
+        return max(
+            abs(a - b) / (length if j == 3 else 1)
+            for row, other in zip(reached, rows, strict=True)
+            for j, (a, b) in enumerate(zip(row, other, strict=True))
+            if j >= 2 or not self.plan.virtual
+        )
 
     def _stepped(self, q: Vector, reached: Matrix, rows: Matrix, length: Value) -> Vector:
         """One Newton step, no longer than half a radian; motions that the pose does not feel are left alone."""
@@ -108,12 +143,14 @@ class GeneralOracle:
         ctx = self.ctx
         return angle - 2 * ctx.pi * ctx.ceil((angle - ctx.pi) / (2 * ctx.pi))
 
-    def _same(self, left: Vector, right: Vector, length: Value) -> bool:
-        for a, b, kind in zip(left, right, self.kinds, strict=True):
-            gap = abs(a - b) / length if kind == "P" else abs(self._wrapped(a - b))
-            if gap > REPEATED:
-                return False
-        return True
+    def _same(self, left: Vector, right: Vector, rows: list[list[Value]], length: Value) -> bool:
+        """Whether two solutions are one: they agree, or are near and the place halfway between them is on the pose too."""
+        gaps = [a - b if kind == "P" else self._wrapped(a - b) for a, b, kind in zip(left, right, self.kinds, strict=True)]
+        widest = max(abs(gap) / unit for gap, unit in self._in_units(gaps, length))
+        if widest < REPEATED or widest > CROWDED:
+            return bool(widest < REPEATED)
+        halfway = [b + gap / 2 for b, gap in zip(right, gaps, strict=True)]
+        return bool(self._off(self.forward(halfway), rows, length) < ACCEPTED)
 
 
 def _least(ctx: Any, rows: Matrix, right: Vector) -> Vector:

@@ -58,19 +58,18 @@ def _scores(schedule: Schedule) -> Callable[[int, int, int], tuple[int, float]]:
         parameter.name: float(rng.uniform(0.1, 1.0) if parameter.value is None else parameter.value)
         for parameter in schedule.parameters
     }
-    arms: dict[int, tuple[Any, Any]] = {}
+    drawn: dict[int, tuple[Any, Any]] = {}
 
     def score(number: int, count: int, draw: int) -> tuple[int, float]:
-        if draw not in arms:
-            arms[draw] = _poses(module, parameters, count, SEED + 1 + draw)
-        wanted, (links, closing, length) = arms[draw]
+        if draw not in drawn:
+            drawn[draw] = _poses(module, parameters, count, SEED + 1 + draw)
+        wanted, length = drawn[draw]
         with np.errstate(all="ignore"):
-            pose, q, _ = module._starts(module._CUTS[number], links, closing)
-            q = np.where(module._SLIDING, q * length[pose, None], q)
+            pose, q, _ = module._starts(module._CUTS[number], length, wanted, parameters)
             before = module._distance(module.fk(q, **parameters), wanted[pose], length[pose])
             q, after = module._polished(q, wanted[pose], length[pose], parameters)
             good = after < module._ACCEPTED
-            found, _ = module._distinct(pose[good], module._wrapped(q[good]), length)
+            found = module._distinct(pose[good], q[good], after[good], wanted, length, parameters)[0]
             if not len(found):
                 return 0, 0.0
             decades = np.log10(np.maximum(before[good], 1e-16))
@@ -80,7 +79,7 @@ def _scores(schedule: Schedule) -> Callable[[int, int, int], tuple[int, float]]:
 
 
 def _poses(module: ModuleType, parameters: dict[str, float], count: int, seed: int) -> tuple[Any, Any]:
-    """Poses of random joint vectors, and the arm in their units."""
+    """Poses of random joint vectors, and their units of length."""
     import numpy as np
 
     rng = np.random.Generator(np.random.PCG64(seed))
@@ -88,7 +87,7 @@ def _poses(module: ModuleType, parameters: dict[str, float], count: int, seed: i
     links = module._links(**{name: parameters[name] for name in module._LINK_PARAMETERS})
     length = float(np.sqrt((links[1:6, :3, 3] ** 2).sum(axis=1)).mean())
     wanted = module.fk(q * np.where(module._SLIDING, REACH * length, np.pi), **parameters)
-    return wanted, module._scaled(wanted, parameters)
+    return wanted, module._lengths(wanted, parameters)
 
 
 def _module(schedule: Schedule) -> ModuleType:

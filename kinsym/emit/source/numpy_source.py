@@ -123,6 +123,7 @@ def _general(schedule: Schedule, plan: GeneralPlan, inverse: InverseNeeds, print
         "cuts": [
             (tuple(number - 1 for number in cut.order), cut.backward, cut.shift, cut.bordered) for cut in plan.cuts
         ],
+        "attempts": tuple((way, nearby) for nearby in (False, True) for way in range(len(plan.cuts))),
         "signs": plan.signs,
         "letters": plan.kinds,
         "virtual": plan.virtual,
