@@ -14,6 +14,7 @@ Kinematics = Callable[[Sequence[Value]], list[list[Value]]]
 
 ACCEPTED = 1e-10
 REPEATED = 1e-6
+HALFWAY = 1e-12
 CROWDED = 1e-3
 BESIDE = 0.01
 EXACT = 1e-40
@@ -50,7 +51,8 @@ class GeneralOracle:
         found, certain = self._found(self.plan.cuts[-1], wanted, rows, length, [])
         if not certain:
             found, _ = self._found(self.plan.cuts[0], self._beside(wanted, length), rows, length, found)
-        return sorted(found, key=lambda q: [self.ctx.nint(x / unit * 10**6) for x, unit in self._in_units(q, length)])
+        found.sort(key=lambda q: [self.ctx.nint(x / unit * 10**6) for x, unit in self._in_units(q, length)])
+        return found[: self.plan.maximum]
 
     def _closing(self, wanted: Motion) -> Motion:
         ctx = self.ctx
@@ -144,13 +146,14 @@ class GeneralOracle:
         return angle - 2 * ctx.pi * ctx.ceil((angle - ctx.pi) / (2 * ctx.pi))
 
     def _same(self, left: Vector, right: Vector, rows: list[list[Value]], length: Value) -> bool:
-        """Whether two solutions are one: they agree, or are near and the place halfway between them is on the pose too."""
+        """Whether two solutions are one: they agree, or are near and halfway between them is as good a place."""
         gaps = [a - b if kind == "P" else self._wrapped(a - b) for a, b, kind in zip(left, right, self.kinds, strict=True)]
         widest = max(abs(gap) / unit for gap, unit in self._in_units(gaps, length))
         if widest < REPEATED or widest > CROWDED:
             return bool(widest < REPEATED)
         halfway = [b + gap / 2 for b, gap in zip(right, gaps, strict=True)]
-        return bool(self._off(self.forward(halfway), rows, length) < ACCEPTED)
+        worst = max(self._off(self.forward(q), rows, length) for q in (left, right))
+        return bool(self._off(self.forward(halfway), rows, length) < max(HALFWAY, 4 * worst))
 
 
 def _least(ctx: Any, rows: Matrix, right: Vector) -> Vector:

@@ -19,6 +19,9 @@ LOCAL = 10
 OFFSET = 0.1234567
 """Where sampling starts: symmetric arms are singular at 0 and pi."""
 
+CHART = 0.7
+"""Where x is counted from: symmetric arms have solutions at 0 and pi, which X = 0 and infinity must not be."""
+
 BORDER_COLUMN = (0.53, -0.41, 0.67, 0.38, -0.59, 0.44, -0.36, 0.62, 0.49, -0.55, 0.33, -0.64)
 BORDER_ROW = (0.47, -0.61, 0.35, 0.58, -0.39, 0.66)
 """Generic constants of the bordered determinant: the column beside M, the row below its columns X^2 W, X W."""
@@ -114,10 +117,10 @@ def turns(count: int) -> Table:
 
 
 @cache
-def start() -> tuple[float, ...]:
-    """Cosine and sine of :data:`OFFSET`."""
+def direction(angle: float) -> tuple[float, ...]:
+    """Cosine and sine of an angle, for example of :data:`OFFSET`."""
     ctx = _context()
-    return float(ctx.cos(OFFSET)), float(ctx.sin(OFFSET))
+    return float(ctx.cos(angle)), float(ctx.sin(angle))
 
 
 @cache

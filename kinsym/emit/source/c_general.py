@@ -25,6 +25,7 @@ PARTS = (
     "kernel",
     "substitute",
     "polish",
+    "collect",
     "eliminate",
     "solve",
 )
@@ -58,7 +59,7 @@ def _tables() -> dict[str, Any]:
     """The constant tables in lines that fit; a single number is its text."""
     turn = tables.turns(tables.SAMPLES)
     eighth = tables.turns(tables.ARCS)
-    start = tables.start()
+    start, chart = tables.direction(tables.OFFSET), tables.direction(tables.CHART)
     return {
         "border_column": _lines(tables.BORDER_COLUMN),
         "border_row": _lines(tables.BORDER_ROW),
@@ -69,6 +70,9 @@ def _tables() -> dict[str, Any]:
         "start": repr(tables.OFFSET),
         "start_cos": repr(start[0]),
         "start_sin": repr(start[1]),
+        "chart": repr(tables.CHART),
+        "chart_cos": repr(chart[0]),
+        "chart_sin": repr(chart[1]),
         "cos17": _lines(c for c, _ in turn),
         "sin17": _lines(s for _, s in turn),
         "cos8": _lines(c for c, _ in eighth),
