@@ -11,11 +11,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from kinsym.check.linear import Matrix, Value, Vector, all_roots, determinant, null_vectors
 from kinsym.general.plan import Cut
 
-Value = Any
-Vector = list[Value]
-Matrix = list[list[Value]]
 Motion = tuple[Matrix, Vector]
 
 SAMPLES = 17
@@ -24,8 +22,6 @@ HALF = 8
 HALF_TURN = 0.7391
 #: Roots nearer to the unit circle than this may stand for real angles.
 NEARLY_REAL = 1e-3
-ROUNDS = 40
-PARTS = ((0, 3), (4, 3), (8, 3), (11, 3))
 
 
 @dataclass(frozen=True)
@@ -43,9 +39,7 @@ class Elimination:
         """``joints`` and ``links`` are the robot's, six each; the last link closes the loop."""
         self.ctx = ctx
         direction = -1 if cut.backward else 1
-        self.joints = [
-            Joint(joints[number - 1].kind, direction * joints[number - 1].sign) for number in cut.order
-        ]
+        self.joints = [Joint(joints[number - 1].kind, direction * joints[number - 1].sign) for number in cut.order]
         used = [links[number - 1] for number in cut.links]
         self.links = [inverted(ctx, link) for link in used] if cut.backward else used
         self.x, self.y = (4, 3) if cut.shift else (3, 4)
@@ -124,7 +118,10 @@ class Elimination:
             result.append(
                 [
                     [
-                        [sum(w * value for w, value in zip(weight, values, strict=True)) for values in zip(*rows, strict=True)]
+                        [
+                            sum(w * value for w, value in zip(weight, values, strict=True))
+                            for values in zip(*rows, strict=True)
+                        ]
                         for rows in zip(*blocks, strict=True)
                     ]
                     for weight in weights
@@ -158,7 +155,7 @@ class Elimination:
             coefficients.append(
                 ctx.mpc(ctx.fdot(values, [c for c, _ in waves]), -ctx.fdot(values, [s for _, s in waves]))
             )
-        return [ctx.arg(z) for z in _all_roots(ctx, coefficients) if abs(abs(z) - 1) < NEARLY_REAL]
+        return [ctx.arg(z) for z in all_roots(ctx, coefficients) if abs(abs(z) - 1) < NEARLY_REAL]
 
     def _pairs(self, first: Vector, second: Vector, alone: bool) -> Iterator[tuple[Value, Value]]:
         """Values of x and y from the null vectors (X^3 W, X^2 W, X W, W) of one root."""
@@ -247,74 +244,24 @@ def product(ctx: Any, left: Motion, right: Motion) -> Motion:
 def moved(ctx: Any, motion: Motion, psi: Vector) -> Vector:
     """A motion applied to the state (1, p, q, l, s, m, w) of a line, or to a part of one."""
     rotation, t = motion
-    p, l, m, w = ([ctx.fdot(row, psi[k : k + 3]) for row in rotation] for k in (1, 5, 9, 12))
+    p, direction, m, w = ([ctx.fdot(row, psi[k : k + 3]) for row in rotation] for k in (1, 5, 9, 12))
     one, square = psi[0], ctx.fdot(t, t)
-    s = psi[8] + ctx.fdot(t, l)
-    tm, tl = _cross(t, m), _cross(t, l)
+    s = psi[8] + ctx.fdot(t, direction)
+    tm, tl = _cross(t, m), _cross(t, direction)
     return [
         one,
         *(a + one * b for a, b in zip(p, t, strict=True)),
         psi[4] + 2 * ctx.fdot(t, p) + one * square,
-        *l,
+        *direction,
         s,
         *(a + b for a, b in zip(m, tl, strict=True)),
-        *(a - 2 * b + square * c - 2 * s * d for a, b, c, d in zip(w, tm, l, t, strict=True)),
+        *(a - 2 * b + square * c - 2 * s * d for a, b, c, d in zip(w, tm, direction, t, strict=True)),
     ]
 
 
 def _cross(left: Vector, right: Vector) -> Vector:
     (a, b, c), (x, y, z) = left, right
     return [b * z - c * y, c * x - a * z, a * y - b * x]
-
-
-def determinant(ctx: Any, rows: Matrix) -> Value:
-    """The determinant, by elimination with row pivoting; the rows are used up."""
-    value = ctx.one
-    while rows:
-        pivot = max(range(len(rows)), key=lambda i: abs(rows[i][0]))
-        if not rows[pivot][0]:
-            return ctx.zero
-        if pivot:
-            rows[0], rows[pivot], value = rows[pivot], rows[0], -value
-        first, *rest = rows
-        value *= first[0]
-        rows = []
-        for row in rest:
-            factor = row[0] / first[0]
-            rows.append([a - factor * b for a, b in zip(row[1:], first[1:], strict=True)] if factor else row[1:])
-    return value
-
-
-def null_vectors(ctx: Any, rows: Matrix) -> tuple[Vector, Vector, bool]:
-    """The two vectors a square matrix makes smallest, and whether only the first of them is nearly a null vector."""
-    size = len(rows)
-    order = list(range(size))
-    for done in range(size - 1):
-        pivot = max(
-            ((i, j) for i in range(done, size) for j in range(done, size)), key=lambda place: abs(rows[place[0]][place[1]])
-        )
-        rows[done], rows[pivot[0]] = rows[pivot[0]], rows[done]
-        if pivot[1] != done:
-            order[done], order[pivot[1]] = order[pivot[1]], order[done]
-            for row in rows:
-                row[done], row[pivot[1]] = row[pivot[1]], row[done]
-        if not rows[done][done]:
-            break
-        for i in range(done + 1, size):
-            factor = rows[i][done] / rows[done][done]
-            if factor:
-                rows[i] = [a - factor * b if j > done else ctx.zero for j, (a, b) in enumerate(zip(rows[i], rows[done], strict=True))]
-    vectors = []
-    for free in (size - 1, size - 2):
-        y = [ctx.zero] * size
-        y[free] = ctx.one
-        for k in range(free - 1, -1, -1):
-            y[k] = -ctx.fdot(rows[k][k + 1 :], y[k + 1 :]) / rows[k][k] if rows[k][k] else ctx.zero
-        vector = [ctx.zero] * size
-        for place, value in zip(order, y, strict=True):
-            vector[place] = value
-        vectors.append(vector)
-    return vectors[0], vectors[1], abs(rows[-2][-2]) > NEARLY_REAL * abs(rows[0][0])
 
 
 def _separated(ctx: Any, first: Vector, second: Vector) -> Iterator[Vector]:
@@ -330,38 +277,3 @@ def _separated(ctx: Any, first: Vector, second: Vector) -> Iterator[Vector]:
         r, s = c * square - numerator * f, d * square - numerator * h
         g = (-q, p) if abs(p) + abs(q) > abs(r) + abs(s) else (-s, r)
         yield [g[0] * x + g[1] * y for x, y in zip(first, second, strict=True)]
-
-
-def _all_roots(ctx: Any, coefficients: Vector) -> list[Value]:
-    """All complex roots of a polynomial, highest power first: Aberth's method from those of its companion matrix."""
-    import numpy as np
-
-    size = max(abs(value) for value in coefficients)
-    starts = np.roots([complex(value / size) for value in coefficients])
-    roots = [ctx.mpc(z.real, z.imag) for z in starts.tolist()]
-    degree = len(coefficients) - 1
-    slopes = [value * (degree - k) for k, value in enumerate(coefficients[:-1])]
-    active = set(range(len(roots)))
-    for _ in range(ROUNDS):
-        for k in sorted(active):
-            z = roots[k]
-            value, slope = _horner(ctx, coefficients, z), _horner(ctx, slopes, z)
-            if not value or not slope:
-                active.discard(k)
-                continue
-            newton = value / slope
-            pull = ctx.fsum(1 / (z - other) for n, other in enumerate(roots) if n != k and other != z)
-            step = newton / (1 - newton * pull)
-            roots[k] = z - step
-            if abs(step) < 1e-15 * max(1, abs(z)):
-                active.discard(k)
-        if not active:
-            break
-    return roots
-
-
-def _horner(ctx: Any, coefficients: Vector, z: Value) -> Value:
-    value = ctx.zero
-    for coefficient in coefficients:
-        value = value * z + coefficient
-    return value

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from kinsym.check.elimination import Elimination, Joint, Matrix, Motion, Vector, inverted, product
+from kinsym.check.elimination import Elimination, Joint, Motion, inverted, product
 from kinsym.check.evaluate import Arithmetic, Program
+from kinsym.check.linear import Matrix, Value, Vector
 from kinsym.general.plan import Cut, GeneralPlan
 
-Value = Any
 Kinematics = Callable[[Sequence[Value]], list[list[Value]]]
 
 ACCEPTED = 1e-10
@@ -35,11 +35,10 @@ class GeneralOracle:
         numbers: Arithmetic,
         plan: GeneralPlan,
         given: Mapping[str, Value],
-        forward: Kinematics,
-        jacobian: Kinematics,
+        kinematics: tuple[Kinematics, Kinematics],
     ) -> None:
         self.ctx, self.plan = ctx, plan
-        self.forward, self.jacobian = forward, jacobian
+        self.forward, self.jacobian = kinematics
         self.kinds = plan.kinds[:5] if plan.virtual else plan.kinds
         entries = [Program((), link.entries, numbers)(given) for link in plan.transforms]
         self._base, *self._links = ((_rows(values[:9]), list(values[9:])) for values in entries)
@@ -129,7 +128,9 @@ class GeneralOracle:
             axis, aim = [row[2] for row in reached], [row[2] for row in rows]
             error += _cross(axis, aim)
             along = [ctx.fdot(axis, column) for column in zip(*slope[3:], strict=True)]
-            slope[3:] = [[a - n * b for a, b in zip(row, along, strict=True)] for n, row in zip(axis, slope[3:], strict=True)]
+            slope[3:] = [
+                [a - n * b for a, b in zip(row, along, strict=True)] for n, row in zip(axis, slope[3:], strict=True)
+            ]
         else:
             turns = [_cross([row[j] for row in reached], [row[j] for row in rows]) for j in range(3)]
             error += [ctx.fsum(parts) / 2 for parts in zip(*turns, strict=True)]
@@ -147,7 +148,9 @@ class GeneralOracle:
 
     def _same(self, left: Vector, right: Vector, rows: list[list[Value]], length: Value) -> bool:
         """Whether two solutions are one: they agree, or are near and halfway between them is as good a place."""
-        gaps = [a - b if kind == "P" else self._wrapped(a - b) for a, b, kind in zip(left, right, self.kinds, strict=True)]
+        gaps = [
+            a - b if kind == "P" else self._wrapped(a - b) for a, b, kind in zip(left, right, self.kinds, strict=True)
+        ]
         widest = max(abs(gap) / unit for gap, unit in self._in_units(gaps, length))
         if widest < REPEATED or widest > CROWDED:
             return bool(widest < REPEATED)
@@ -163,7 +166,9 @@ def _least(ctx: Any, rows: Matrix, right: Vector) -> Vector:
     order = list(range(columns))
     rank = 0
     for k in range(columns):
-        i, j = max(((i, j) for i in range(k, len(rows)) for j in range(k, columns)), key=lambda p: abs(rows[p[0]][p[1]]))
+        i, j = max(
+            ((i, j) for i in range(k, len(rows)) for j in range(k, columns)), key=lambda p: abs(rows[p[0]][p[1]])
+        )
         if abs(rows[i][j]) <= SMALLEST_PIVOT * abs(rows[0][0] if k else 0) or not rows[i][j]:
             break
         rows[k], rows[i] = rows[i], rows[k]

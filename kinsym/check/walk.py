@@ -65,7 +65,7 @@ class ExactWalk:
                     continue
         self._limits = {name: numbers.number(value) for name, value in _LIMITS.items()}
         self._general = (
-            GeneralOracle(self.ctx, numbers, schedule.general, self.given, self.forward, self.jacobian)
+            GeneralOracle(self.ctx, numbers, schedule.general, self.given, (self.forward, self.jacobian))
             if schedule.general
             else None
         )

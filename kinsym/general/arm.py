@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-
 from dataclasses import dataclass
 
 from kinsym.algebra.field import residue
@@ -12,8 +11,6 @@ from kinsym.general.lines import Motion
 from kinsym.general.plan import Link
 from kinsym.kinematics.chain import Chain
 from kinsym.kinematics.links import Rigid
-
-
 
 JOINTS = 6
 

@@ -58,17 +58,17 @@ def moved(motion: Motion, psi: Vector) -> Vector:
     """A motion applied to a state; where it is a part of one, its first entry is 0."""
     rotation, t = motion
     one, square = psi[E], dot(t, t)
-    p, l, m, w = (times(rotation, psi[part]) for part in (P, L, M, W))
-    s = psi[S] + dot(t, l)
-    tm, tl = cross(t, m), cross(t, l)
+    p, direction, m, w = (times(rotation, psi[part]) for part in (P, L, M, W))
+    s = psi[S] + dot(t, direction)
+    tm, tl = cross(t, m), cross(t, direction)
     return [
         one,
         *((a + one * b) % PRIME for a, b in zip(p, t, strict=True)),
         (psi[Q] + 2 * dot(t, p) + one * square) % PRIME,
-        *l,
+        *direction,
         s % PRIME,
         *((a + b) % PRIME for a, b in zip(m, tl, strict=True)),
-        *((a - 2 * b + square * c - 2 * s * d) % PRIME for a, b, c, d in zip(w, tm, l, t, strict=True)),
+        *((a - 2 * b + square * c - 2 * s * d) % PRIME for a, b, c, d in zip(w, tm, direction, t, strict=True)),
     ]
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator
 from dataclasses import replace
+from fractions import Fraction
 from itertools import product as pairs
 
 from kinsym.algebra.field import PRIME, angle_point, circle_point, inverse
@@ -13,8 +14,6 @@ from kinsym.general.lines import AXIS, Motion, Vector, inverted, moved, product,
 from kinsym.general.plan import Cut
 from kinsym.general.tables import DEGREE
 from kinsym.kinematics.tasks import rank
-
-from fractions import Fraction
 
 Matrix = list[list[int]]
 
@@ -61,7 +60,7 @@ class _Joint:
 def _mode(cut: Cut, links: list[Motion], joints: list[_Joint]) -> Cut | None:
     """The cut, marked as bordered where two ranks are lost at a solution; None if it cannot be used."""
     order = [joints[number - 1] for number in cut.order]
-    x, y = (order[4], order[3]) if cut.shift else (order[3], order[4])
+    x = order[4] if cut.shift else order[3]
     if order[2].kind == "P" or order[5].kind == "P":
         return None
     six = _six_rows(cut, links, order)
@@ -153,13 +152,10 @@ def _half_angle(blocks: list[Matrix]) -> list[Matrix]:
 
 def _of_degree(system: _System) -> bool:
     """Whether the determinant is a trigonometric polynomial of degree 8 at most."""
-    points = [angle_point(Fraction(2 * j, TURNS)) for j in range(TURNS)]
-    values = [determinant(system.matrix(point)) for point in points if point is not None]
-    root = [(c, s) for c, s in points]  # type: ignore[misc]
-    unit = angle_point(Fraction(1, 2))
-    assert unit is not None
+    points = [point for j in range(TURNS) if (point := angle_point(Fraction(2 * j, TURNS)))]
+    values = [determinant(system.matrix(point)) for point in points]
     for k in range(DEGREE + 1, SIZE + 1):
-        waves = [root[j * k % TURNS] for j in range(TURNS)]
+        waves = [points[j * k % TURNS] for j in range(TURNS)]
         if any(sum(value * wave[part] for value, wave in zip(values, waves, strict=True)) % PRIME for part in (0, 1)):
             return False
     return True

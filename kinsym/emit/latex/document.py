@@ -190,7 +190,10 @@ class _Writer(Formulas):
 
     def without_closed_form(self, plan: GeneralPlan) -> dict[str, Any]:
         """What it says of one without."""
-        return {"why": capital(prose(plan.why, self.names)), "steps": general_passages(self.derivation, plan, self.names)}
+        return {
+            "why": capital(prose(plan.why, self.names)),
+            "steps": general_passages(self.derivation, plan, self.names),
+        }
 
 
 def document(derivation: Derivation) -> str:

@@ -81,9 +81,17 @@ def _sentence(text: str, names: Names) -> str:
 def _formula(text: str, names: Names) -> str:
     def token(match: re.Match[str]) -> str:
         word = match[0]
-        return _WORDS.get(word) or (names[word] if word in names else word)
+        return _WORDS.get(word) or _named(word, names)
 
     return re.sub(r"[A-Za-z0-9_-]+", token, text)
+
+
+def _named(word: str, names: Names) -> str:
+    """A name as mathematics, any other word as it stands."""
+    try:
+        return names[word]
+    except KeyError:
+        return word
 
 
 def _spaced(text: str) -> str:

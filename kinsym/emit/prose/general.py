@@ -90,8 +90,8 @@ class _General:
         product, loop = self._chain(self.cut)
         way = "backward" if self.cut.backward else "forward"
         body: list[str | Formula] = [
-            "{Mi} is the motion of joint {i} about or along its axis, {Li} the constant transform that follows it, {B} the"
-            " one before the first joint:",
+            "{Mi} is the motion of joint {i} about or along its axis, {Li} the constant transform that follows it,"
+            " {B} the one before the first joint:",
             Formula(("T", text), ("T", _tex_product(text))),
             "The pose closes the arm to a loop of six joints:",
             Formula(("G", "L6 T^-1 B"), ("G", r"L_{6} T^{-1} B")),
@@ -100,8 +100,11 @@ class _General:
             Formula((product, "I"), (loop, "I")),
         ]
         if self.plan.virtual:
-            body.insert(0, "Joint 6 is none of the robot: it turns the tool about its own axis by an angle {phi}, which the"
-                        " task leaves open.")
+            body.insert(
+                0,
+                "Joint 6 is none of the robot: it turns the tool about its own axis by an angle {phi}, which the"
+                " task leaves open.",
+            )
         return Stage((), "the loop", tuple(body))
 
     def _factor(self, cut: Cut, k: int) -> tuple[str, str]:
@@ -130,14 +133,14 @@ class _General:
             (unknown,),
             "dropped, 14 equations",
             (
-                f"A turn by {_inline(unknown)} leaves the axis of joint {self.cut.dropped} where it is. So both sides of the loop do"
-                " the same to this axis, and the angle is gone:",
+                f"A turn by {_inline(unknown)} leaves the axis of joint {self.cut.dropped} where it is. So both sides"
+                " of the loop do the same to this axis, and the angle is gone:",
                 Formula(
                     (f"{left} psi0", f"{right} psi0"),
                     (f"{_tex_product(left)} \\, \\psi_{{0}}", f"{_tex_product(right)} \\, \\psi_{{0}}"),
                 ),
-                "A line of direction {l} through a point {p} is written as 15 numbers, which a motion {R, t} maps linearly;"
-                " {psi0} is the {z} axis through the origin:",
+                "A line of direction {l} through a point {p} is written as 15 numbers, which a motion {R, t} maps"
+                " linearly; {psi0} is the {z} axis through the origin:",
                 Formula(
                     ("psi", "(1, p, q, l, s, m, w),  q = p.p,  s = p.l,  m = p x l,  w = q l - 2 s p"),
                     (
@@ -161,7 +164,10 @@ class _General:
                 "Its entries behind the 1 are 14 equations. On the left they are linear in the products of"
                 f" {_inline(m[2][0])}, {_inline(m[3][0])} and {_inline(m[4][0])}, on the right in those of"
                 f" {_inline(m[1][0])} and {_inline(m[0][0])}:",
-                Formula(("P mu", "Q nu,  P 14 x 27, Q 14 x 8"), (r"P \mu", r"Q \nu , \quad P\ 14 \times 27,\; Q\ 14 \times 8")),
+                Formula(
+                    ("P mu", "Q nu,  P 14 x 27, Q 14 x 8"),
+                    (r"P \mu", r"Q \nu , \quad P\ 14 \times 27,\; Q\ 14 \times 8"),
+                ),
             ),
         )
 
@@ -189,8 +195,8 @@ class _General:
             (x, y),
             "twelve equations",
             (
-                f"The six equations are quadratic in {{X}}{where} and linear in {{W}}; {{A}}, {{B}} and {{C}} are {{6 x 3}} and"
-                f" linear in the cosine and the sine of {_inline(unknown)}:",
+                f"The six equations are quadratic in {{X}}{where} and linear in {{W}}; {{A}}, {{B}} and {{C}} are"
+                f" {{6 x 3}} and linear in the cosine and the sine of {_inline(unknown)}:",
                 *start,
                 Formula(("W", w_text), ("W", w_tex)),
                 Formula(("(A X^2 + B X + C) W", "0"), (r"(A X^{2} + B X + C) \, W", "0")),
@@ -219,8 +225,8 @@ class _General:
         body: list[str | Formula] = []
         if self.cut.bordered:
             body += [
-                "The arm is its own mirror image: {M} loses two ranks at a solution, so its determinant has double roots"
-                " alone. With a fixed column {b} and a fixed row {c} around it the roots are simple:",
+                "The arm is its own mirror image: {M} loses two ranks at a solution, so its determinant has double"
+                " roots alone. With a fixed column {b} and a fixed row {c} around it the roots are simple:",
                 Formula(
                     (f"f({unknown})", "det [M b; c 0] = 0"),
                     (f"f({name})", r"\det \begin{bmatrix} M & b \\ c & 0 \end{bmatrix} = 0"),
@@ -235,10 +241,13 @@ class _General:
             " Seventeen values of the determinant give its coefficients:",
             Formula(
                 (f"f({unknown})", f"a_0 + sum of a_k {cosine} + b_k {sine}, k = 1..8"),
-                (f"f({name})", rf"a_{{0}} + \sum_{{k=1}}^{{8}} \bigl( a_{{k}} \cos k {name} + b_{{k}} \sin k {name} \bigr)"),
+                (
+                    f"f({name})",
+                    rf"a_{{0}} + \sum_{{k=1}}^{{8}} \bigl( a_{{k}} \cos k {name} + b_{{k}} \sin k {name} \bigr)",
+                ),
             ),
-            "Its real roots are isolated on eight arcs of the circle by Descartes' rule of signs; where two are near each"
-            " other the determinant is sampled anew about them.",
+            "Its real roots are isolated on eight arcs of the circle by Descartes' rule of signs; where two are near"
+            " each other the determinant is sampled anew about them.",
         ]
         return Stage((unknown,), f"the root of a polynomial of degree {self.plan.maximum}", tuple(body))
 
@@ -254,8 +263,16 @@ class _General:
             second = Formula(
                 (y, "Atan2(W_1/W_3, W_2/W_3)"), (self.name(y), r"\operatorname{Atan2}(W_{1}/W_{3},\, W_{2}/W_{3})")
             )
-        many = " Two null vectors hold two solutions: {N_1 g = X N_2 g} for their parts {X^2 W} and {X W}." if self.cut.bordered else ""
-        return Stage((x, y), "from the null vector", (f"The null vector of {{M}} at a root holds {{X}} and {{W}}.{many}", first, second))
+        many = (
+            " Two null vectors hold two solutions: {N_1 g = X N_2 g} for their parts {X^2 W} and {X W}."
+            if self.cut.bordered
+            else ""
+        )
+        return Stage(
+            (x, y),
+            "from the null vector",
+            (f"The null vector of {{M}} at a root holds {{X}} and {{W}}.{many}", first, second),
+        )
 
     def _others(self) -> Stage:
         formulas = []
@@ -269,7 +286,12 @@ class _General:
             formulas.append(Formula((variable, text), (self.name(variable), tex)))
         joint, link = self._factor(self.cut, 5)
         rest = " ".join(part for k in range(5) for part in self._factor(self.cut, k))
-        formulas.append(Formula((joint, f"({rest})^-1 {_inverse(link)}"), (_tex_product(joint), rf"\bigl({_tex_product(rest)}\bigr)^{{-1}} {_tex_product(_inverse(link))}")))
+        formulas.append(
+            Formula(
+                (joint, f"({rest})^-1 {_inverse(link)}"),
+                (_tex_product(joint), rf"\bigl({_tex_product(rest)}\bigr)^{{-1}} {_tex_product(_inverse(link))}"),
+            )
+        )
         return Stage(
             (self._variable(1), self._variable(0), self._variable(5)),
             "from what is known",
@@ -278,17 +300,21 @@ class _General:
 
     def _polish(self) -> Stage:
         body = [
-            "Newton's method with the Jacobian brings every solution onto the pose. What stays off it by more than {1e-10} of"
-            " the arm's length is none; what comes twice is returned once."
+            "Newton's method with the Jacobian brings every solution onto the pose. What stays off it by more than"
+            " {1e-10} of the arm's length is none; what comes twice is returned once."
         ]
         if len(self.plan.cuts) > 1:
             other = self.plan.cuts[1]
             way = "backward" if other.backward else "forward"
+            unknown = _inline(self.variables[other.suppressed - 1])
             body.append(
-                "Where a root has no solution of its own the loop is opened a second time, behind joint"
-                f" {other.dropped} and {way}, with {_inline(self.variables[other.suppressed - 1])} as the unknown of the polynomial."
+                "Where a root has no solution of its own, or several have the same, the loop is opened a second time,"
+                f" behind joint {other.dropped} and {way}, with {unknown} as the unknown of the polynomial; where that"
+                " does not settle it, at a pose beside this one, from which Newton's method leads back."
             )
-        body.append(f"Solutions are sorted by {_inline(self.variables[0])}, then {_inline(self.variables[1])} and so on.")
+        body.append(
+            f"Solutions are sorted by {_inline(self.variables[0])}, then {_inline(self.variables[1])} and so on."
+        )
         return Stage((), "polished, sorted", tuple(body))
 
 
