@@ -8,8 +8,10 @@ from functools import cache
 from kinsym.derivation import Derivation
 from kinsym.emit.program import build_schedule
 from kinsym.emit.schedule import Schedule
-from kinsym.general.plan import Cut
-from kinsym.general.select import general_plan
+from kinsym.general.arm import six_joints
+from kinsym.general.plan import Cut, GeneralPlan
+from kinsym.general.ranks import usable
+from kinsym.inverse.assemble import size_of
 from kinsym.kinematics.chain import build_chain
 from kinsym.kinematics.forward import forward_kinematics
 from kinsym.kinematics.jacobian import geometric_jacobian
@@ -41,40 +43,68 @@ TABLES = {
 }
 
 
-def with_slide(number: int) -> str:
-    """The table of the skew arm with one joint that slides."""
+def with_slides(*numbers: int) -> str:
+    """The table of the skew arm with some joints that slide."""
     rows = [
-        f"{alpha} {a} d{k} 0.3" if k == number else f"{alpha} {a} {d} theta{k}"
+        f"{alpha} {a} d{k} 0.3" if k in numbers else f"{alpha} {a} {d} theta{k}"
         for k, (alpha, a, d) in enumerate(SKEW, 1)
     ]
     return "; ".join(rows)
 
 
-TABLES |= {f"slide{number}": with_slide(number) for number in range(1, 7)}
+TABLES |= {f"slide{number}": with_slides(number) for number in range(1, 7)}
+TABLES |= {f"slides{one}{two}": with_slides(one, two) for one, two in ((1, 2), (2, 5), (3, 4), (3, 6))}
+#: Five joints: a sixth that turns the tool about its own axis completes them.
+FIVE = "; ".join(TABLES["skew"].split("; ")[:5])
 
 
 @cache
 def general_schedule(name: str) -> Schedule:
     """The schedule of an arm by the name of its table, with two cuts that differ in more than the order of x and y."""
-    robot = from_inline(TABLES[name], convention="paul", name=name)
+    return _schedule(name, TABLES[name], Task.POSE, gate=False)
+
+
+@cache
+def five_joints(task: Task) -> Schedule:
+    """The skew arm without its last joint: solved for a point and an axis, or for poses of which it reaches few."""
+    return _schedule("five", FIVE, task, gate=task is Task.POSE)
+
+
+def _schedule(name: str, table: str, task: Task, gate: bool) -> Schedule:
+    robot = from_inline(table, convention="paul", name=name)
     chain = build_chain(robot)
     forward = forward_kinematics(chain)
-    plan = general_plan(chain, Task.POSE, "")
-    if plan is None:
-        raise ValueError(f"{name} has no cut")
-    first = plan.cuts[0]
-    second = next(cut for cut in plan.cuts if _way(cut) != _way(first))
+    arm = six_joints(chain)
+    if arm is None:
+        raise ValueError(f"{name} has neither five nor six joints")
+    two_slides = arm.kinds.count("P") == 2
+    turning = tuple(number for number, kind in enumerate(arm.kinds, 1) if kind == "R")
+    plan = GeneralPlan(
+        task=task,
+        kinds=arm.kinds,
+        signs=arm.signs,
+        base=arm.link(arm.base),
+        links=tuple(arm.link(link) for link in arm.links),
+        cuts=() if two_slides else _two(usable(arm)),
+        suppressed=turning if two_slides else (),
+        virtual=arm.virtual,
+        gate=gate,
+        maximum=8 if two_slides else 16,
+        size=size_of(chain),
+        why="",
+    )
     return build_schedule(
         Derivation(
-            robot=replace(robot, task=Task.POSE),
+            robot=replace(robot, task=task),
             chain=chain,
             forward=forward,
             jacobian=geometric_jacobian(chain, forward),
             plan=None,
-            general=replace(plan, cuts=(first, second)),
+            general=plan,
         )
     )
 
 
-def _way(cut: Cut) -> tuple[int, bool]:
-    return cut.dropped, cut.backward
+def _two(cuts: list[Cut]) -> tuple[Cut, Cut]:
+    first = cuts[0]
+    return first, next(cut for cut in cuts if (cut.dropped, cut.backward) != (first.dropped, first.backward))

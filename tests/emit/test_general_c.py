@@ -14,14 +14,15 @@ import pytest
 
 from kinsym.check.compiler import FLAGS, compile_shared
 from kinsym.emit import TARGETS
+from kinsym.robot.model import Task
 from tests.emit.built import CLibrary, needs_compiler, same_angles
-from tests.emit.general_arms import TABLES, general_schedule
+from tests.emit.general_arms import TABLES, five_joints, general_schedule
 
 pytestmark = needs_compiler
 CPP = ("-x", "c++", "-std=c++17", *FLAGS[1:])
 FAST = (*FLAGS[:1], "-O3", *FLAGS[2:])
-SLIDES = [f"slide{number}" for number in range(1, 7)]
-VALUED = ["skew", "mirrored", "cobot", *SLIDES]
+COMPILED = {"lengths": FLAGS, "mirrored": FAST, "slide3": CPP, "slides36": CPP}
+VALUED = ["skew", "mirrored", "cobot", "slide1", "slide6", "slides25"]
 LENGTHS = {f"{letter}{k}": 0.1 + 0.07 * k for letter in "ad" for k in range(1, 7)}
 
 
@@ -49,15 +50,13 @@ def distance(name: str, solutions: np.ndarray, q: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("compiler", ["gcc", "clang"])
-@pytest.mark.parametrize(
-    ("name", "flags"), [("lengths", FLAGS), ("mirrored", FAST), ("slide3", CPP)], ids=["c99", "O3", "c++17"]
-)
-def test_compiles_without_a_warning(name: str, flags: tuple[str, ...], compiler: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", COMPILED)
+def test_compiles_without_a_warning(name: str, compiler: str, tmp_path: Path) -> None:
     if shutil.which(compiler) is None:
         pytest.skip(f"{compiler} is not installed")
     for file, text in TARGETS["c"](general_schedule(name)).items():
         (tmp_path / file).write_text(text, encoding="utf-8")
-    assert compile_shared(tmp_path, name, tmp_path, compiler=compiler, flags=flags).is_file()
+    assert compile_shared(tmp_path, name, tmp_path, compiler=compiler, flags=COMPILED[name]).is_file()
 
 
 @pytest.mark.parametrize("name", sorted(TABLES))
@@ -196,6 +195,34 @@ def test_the_reference_changes_nothing() -> None:
         np.testing.assert_array_equal(library.ik(pose, q)[1], library.ik(pose)[1])
 
 
+def test_five_joints_reach_a_point_and_an_axis() -> None:
+    library = CLibrary(five_joints(Task.POSITION_AXIS))
+    for q in joint_vectors(100, seed=13)[:, :5]:
+        pose = library.fk(q)
+        pose[:3, :3] = pose[:3, :3] @ turned(0.8)
+        _, solutions = library.ik(pose)
+        assert same_angles(solutions, q).min() < 1e-7
+        for solution in solutions:
+            np.testing.assert_allclose(library.fk(solution)[:3, 2:], pose[:3, 2:], atol=1e-12)
+
+
+def test_five_joints_find_only_what_reaches_the_whole_pose() -> None:
+    library = CLibrary(five_joints(Task.POSE))
+    for q in joint_vectors(100, seed=14)[:, :5]:
+        pose = library.fk(q)
+        _, solutions = library.ik(pose)
+        assert same_angles(solutions, q).min() < 1e-7
+        for solution in solutions:
+            np.testing.assert_allclose(library.fk(solution), pose, atol=1e-8)
+        pose[:3, :3] = pose[:3, :3] @ turned(0.1)
+        assert library.status(pose) == 0
+
+
+def turned(angle: float) -> np.ndarray:
+    """A turn about z."""
+    return np.array([[math.cos(angle), -math.sin(angle), 0], [math.sin(angle), math.cos(angle), 0], [0, 0, 1]])
+
+
 HOSTILE = """
 #include <stdio.h>
 int main(void)
@@ -230,7 +257,7 @@ int main(void)
 """
 
 
-@pytest.mark.parametrize("name", ["skew", "mirrored", "slide3"])
+@pytest.mark.parametrize("name", ["skew", "mirrored", "slide3", "slides34"])
 def test_hostile_input_under_the_sanitizers(name: str, tmp_path: Path) -> None:
     if shutil.which("gcc") is None:
         pytest.skip("gcc is not installed")

@@ -11,34 +11,34 @@ from kinsym.emit.source.wrapping import WIDTH, cut
 from kinsym.general import tables
 from kinsym.general.plan import Cut, GeneralPlan, Link
 
-#: The parts of the solver in the order in which they are printed, one template each.
-PARTS = (
-    "links",
-    "motion",
-    "arm",
-    "loop",
-    "equations",
-    "determinant",
-    "isolate",
-    "resample",
-    "circle",
-    "kernel",
-    "substitute",
-    "polish",
-    "collect",
-    "eliminate",
-    "solve",
-)
+#: The parts of the solver in the order in which they are printed, one template each. What opens the loop and comes
+#: back from a root differs for arms with two joints that slide; the search for roots and Newton's method do not.
+_BEFORE = ("links", "motion", "arm", "loop")
+_LOOP = ("states", "equations", "determinant")
+_BACK = ("kernel", "substitute")
+_ROOTS = ("isolate", "resample", "circle")
+_AFTER = ("polish", "collect", "eliminate", "solve")
+
+
+def parts(kinds: str) -> tuple[str, ...]:
+    """The templates for an arm, by the kinds of its joints.
+
+    >>> parts("RRPRPR")[4:6]
+    ('two_slides', 'isolate')
+    """
+    if kinds.count("P") == 2:
+        return (*_BEFORE, "two_slides", *_ROOTS, *_AFTER)
+    return (*_BEFORE, *_LOOP, *_ROOTS, *_BACK, *_AFTER)
 
 
 def general_names(plan: GeneralPlan, printer: Printer) -> dict[str, Any]:
     """The names that the templates in c/general read."""
     return {
-        "parts": [f"c/general/{part}.c.jinja" for part in PARTS],
+        "parts": [f"c/general/{part}.c.jinja" for part in parts(plan.kinds)],
         "sliding": [int(kind == "P") for kind in plan.kinds],
         "signs": [f"{sign}.0" for sign in plan.signs],
         "links": [_link(link, printer) for link in plan.transforms],
-        "cuts": [_cut(item) for item in plan.cuts],
+        "cuts": [_cut(item) for item in plan.cuts] or [_round(number) for number in plan.suppressed[:2]],
         "tables": _tables(),
     }
 
@@ -53,6 +53,12 @@ def _link(link: Link, printer: Printer) -> list[str]:
 def _cut(item: Cut) -> str:
     order = ", ".join(str(number - 1) for number in item.order)
     return f"{{{{{order}}}, {int(item.backward)}, {int(item.shift)}, {int(item.bordered)}}}"
+
+
+def _round(suppressed: int) -> str:
+    """A way round a loop with two joints that slide: it begins two joints before the suppressed one."""
+    order = ", ".join(str((suppressed - 3 + k) % 6) for k in range(6))
+    return f"{{{{{order}}}, 0, 0, 0}}"
 
 
 def _tables() -> dict[str, Any]:
