@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from kinsym.algebra.convert import tree_of
 from kinsym.algebra.tree import Definition
 from kinsym.errors import NoClosedForm
-from kinsym.general.calibrate import best_two
+from kinsym.general.calibrate import calibrated
 from kinsym.general.plan import GeneralPlan
 from kinsym.general.select import general_plan
 from kinsym.inverse.plan import Plan
@@ -65,11 +65,13 @@ def derive(robot: Robot, *, task: Task | None = None) -> Derivation:
 
 
 def _calibrated(derivation: Derivation, general: GeneralPlan) -> Derivation:
-    """The derivation with the best of the usable cuts."""
+    """The derivation with the best ways round the loop; what no way can solve is refused."""
     from kinsym.emit.program import build_schedule
 
-    cuts = best_two(build_schedule(derivation))
-    return replace(derivation, general=replace(general, cuts=cuts))
+    best = calibrated(build_schedule(derivation))
+    if best is None:
+        raise NoClosedForm(general.why)
+    return replace(derivation, general=best)
 
 
 def _inverse(chain: Chain, task: Task) -> tuple[Plan | None, GeneralPlan | None]:

@@ -11,17 +11,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from kinsym.check.linear import Matrix, Value, Vector, all_roots, determinant, null_vectors
+from kinsym.check.linear import Matrix, Value, Vector, circle_roots, determinant, null_vectors
 from kinsym.general.plan import Cut
 
 Motion = tuple[Matrix, Vector]
 
-SAMPLES = 17
-HALF = 8
+DEGREE = 8
 #: Where x = HALF_TURN + pi the half angle is infinite: nowhere in particular.
 HALF_TURN = 0.7391
-#: Roots nearer to the unit circle than this may stand for real angles.
-NEARLY_REAL = 1e-3
 
 
 @dataclass(frozen=True)
@@ -143,19 +140,7 @@ class Elimination:
 
     def angles(self) -> list[Value]:
         """The suppressed angles at which the determinant vanishes, or nearly does."""
-        ctx = self.ctx
-        turn = 2 * ctx.pi / SAMPLES
-        points = [(ctx.cos(j * turn), ctx.sin(j * turn)) for j in range(SAMPLES)]
-        values = [determinant(ctx, self._matrix(s, c)) for c, s in points]
-        if not any(values):
-            return []
-        coefficients = []
-        for k in range(HALF, -HALF - 1, -1):
-            waves = [points[(j * k) % SAMPLES] for j in range(SAMPLES)]
-            coefficients.append(
-                ctx.mpc(ctx.fdot(values, [c for c, _ in waves]), -ctx.fdot(values, [s for _, s in waves]))
-            )
-        return [ctx.arg(z) for z in all_roots(ctx, coefficients) if abs(abs(z) - 1) < NEARLY_REAL]
+        return circle_roots(self.ctx, lambda c, s: determinant(self.ctx, self._matrix(s, c)), DEGREE)
 
     def _pairs(self, first: Vector, second: Vector, alone: bool) -> Iterator[tuple[Value, Value]]:
         """Values of x and y from the null vectors (X^3 W, X^2 W, X W, W) of one root."""

@@ -8,6 +8,7 @@ from typing import Any
 from kinsym.check.elimination import Elimination, Joint, Motion, inverted, product
 from kinsym.check.evaluate import Arithmetic, Program
 from kinsym.check.linear import Matrix, Value, Vector
+from kinsym.check.slides import SlidingLoop
 from kinsym.general.plan import Cut, GeneralPlan
 
 Kinematics = Callable[[Sequence[Value]], list[list[Value]]]
@@ -47,9 +48,10 @@ class GeneralOracle:
         """The joint vectors of a pose (three rows of four), sorted as in the generated code."""
         wanted: Motion = [row[:3] for row in rows], [row[3] for row in rows]
         length = self._length(wanted)
-        found, certain = self._found(self.plan.cuts[-1], wanted, rows, length, [])
+        cuts = self.plan.cuts or tuple(Cut.before(number) for number in self.plan.suppressed)
+        found, certain = self._found(cuts[-1], wanted, rows, length, [])
         if not certain:
-            found, _ = self._found(self.plan.cuts[0], self._beside(wanted, length), rows, length, found)
+            found, _ = self._found(cuts[0], self._beside(wanted, length), rows, length, found)
         found.sort(key=lambda q: [self.ctx.nint(x / unit * 10**6) for x, unit in self._in_units(q, length)])
         return found[: self.plan.maximum]
 
@@ -78,10 +80,10 @@ class GeneralOracle:
         ctx = self.ctx
         links = [(turn, [t / length for t in shift]) for turn, shift in (*self._links[:5], self._closing(posed))]
         joints = [Joint(kind, sign) for kind, sign in zip(self.plan.kinds, self.plan.signs, strict=True)]
-        elimination = Elimination(ctx, cut, joints, links)
-        angles = elimination.angles()
+        loop = (SlidingLoop if self.plan.suppressed else Elimination)(ctx, cut, joints, links)
+        angles = loop.angles()
         found = list(before)
-        for values in elimination.candidates(angles):
+        for values in loop.candidates(angles):
             q = [ctx.zero] * 6
             for number, value in zip(cut.order, values, strict=True):
                 q[number - 1] = value * length if joints[number - 1].kind == "P" else value

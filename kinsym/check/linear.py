@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 Value = Any
 Vector = list[Value]
 Matrix = list[list[Value]]
 
+#: Sampling starts where no symmetric arm is singular.
+START = 0.2718
+#: Roots nearer to the unit circle than this may stand for real angles.
+NEARLY_REAL = 1e-3
 NEARLY_NULL = 1e-3
 ROUNDS = 40
 
@@ -64,6 +69,22 @@ def null_vectors(ctx: Any, rows: Matrix) -> tuple[Vector, Vector, bool]:
             vector[place] = value
         vectors.append(vector)
     return vectors[0], vectors[1], abs(rows[-2][-2]) > NEARLY_NULL * abs(rows[0][0])
+
+
+def circle_roots(ctx: Any, function: Callable[[Value, Value], Value], degree: int) -> list[Value]:
+    """The angles at which a trigonometric polynomial of the cosine and the sine vanishes, or nearly does."""
+    count = 2 * degree + 1
+    turn = 2 * ctx.pi / count
+    points = [(ctx.cos(j * turn), ctx.sin(j * turn)) for j in range(count)]
+    c0, s0 = ctx.cos(START), ctx.sin(START)
+    values = [function(c * c0 - s * s0, s * c0 + c * s0) for c, s in points]
+    if not any(values):
+        return []
+    coefficients = []
+    for k in range(degree, -degree - 1, -1):
+        waves = [points[(j * k) % count] for j in range(count)]
+        coefficients.append(ctx.mpc(ctx.fdot(values, [c for c, _ in waves]), -ctx.fdot(values, [s for _, s in waves])))
+    return [START + ctx.arg(z) for z in all_roots(ctx, coefficients) if abs(abs(z) - 1) < NEARLY_REAL]
 
 
 def all_roots(ctx: Any, coefficients: Vector) -> list[Value]:

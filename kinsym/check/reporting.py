@@ -34,7 +34,7 @@ def report_of(robot: Robot, schedule: Schedule, sources: Mapping[str, str], find
         table=to_toml(robot).splitlines(),
         operations={
             "forward": asdict(line_operations(schedule, schedule.forward)),
-            "inverse": asdict(inverse_operations(schedule)),
+            **({} if schedule.general else {"inverse": asdict(inverse_operations(schedule))}),
             "jacobian": asdict(line_operations(schedule, schedule.jacobian)),
         },
         checks=findings.checks if findings else (),

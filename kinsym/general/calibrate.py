@@ -8,10 +8,12 @@ source that it leads to.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from kinsym.general.plan import Cut
+from kinsym.general.plan import Cut, GeneralPlan
 
 if TYPE_CHECKING:
     from kinsym.emit.schedule import Schedule
@@ -24,24 +26,31 @@ REACH = 3.0
 SEED = 6
 
 
-def best_two(schedule: Schedule) -> tuple[Cut, ...]:
-    """The best of the cuts in a schedule's plan, and the best that drops another joint or goes round otherwise.
+def calibrated(schedule: Schedule) -> GeneralPlan | None:
+    """The schedule's plan with the best of its cuts and the best that drops another joint or goes round otherwise.
 
     First come the solutions found; then how far they are off before they are polished, in decades rounded to a
-    tenth, so that the choice is the same on every machine; then the order of the candidates.
+    tenth, so that the choice is the same on every machine; then the order of the candidates. None if the best does not
+    even find one solution for each pose.
     """
     plan = schedule.general
-    if plan is None or len(plan.cuts) == 1:
-        return plan.cuts if plan else ()
+    if plan is None:
+        return None
+    cuts = plan.cuts or tuple(Cut.before(number) for number in plan.suppressed)
     score = _scores(schedule)
-    order = sorted(range(len(plan.cuts)), key=lambda number: (*score(number, FEW, 0), number))
+    order = sorted(range(len(cuts)), key=lambda number: (*score(number, FEW, 0), number))
     kept = order[:KEPT]
-    others = [number for number in order[KEPT:] if _loop(plan.cuts[number]) != _loop(plan.cuts[order[0]])]
-    if all(_loop(plan.cuts[number]) == _loop(plan.cuts[order[0]]) for number in kept):
-        kept += others[:1]
-    cuts = [plan.cuts[number] for number in sorted(kept, key=lambda number: (*score(number, MANY, 1), number))]
-    second = [cut for cut in cuts if _loop(cut) != _loop(cuts[0])]
-    return (cuts[0], *second[:1])
+    if all(_loop(cuts[number]) == _loop(cuts[order[0]]) for number in kept):
+        kept += [number for number in order[KEPT:] if _loop(cuts[number]) != _loop(cuts[order[0]])][:1]
+    kept.sort(key=lambda number: (*score(number, MANY, 1), number))
+    best = cuts[kept[0]]
+    if -score(kept[0], MANY, 1)[0] < MANY:
+        return None
+    second = [cuts[number] for number in kept if _loop(cuts[number]) != _loop(best)]
+    chosen = (best, *second[:1])
+    if plan.suppressed:
+        return replace(plan, suppressed=tuple(cut.suppressed for cut in chosen))
+    return replace(plan, cuts=chosen)
 
 
 def _loop(cut: Cut) -> tuple[int, bool]:
@@ -60,6 +69,7 @@ def _scores(schedule: Schedule) -> Callable[[int, int, int], tuple[int, float]]:
     }
     drawn: dict[int, tuple[Any, Any]] = {}
 
+    @cache
     def score(number: int, count: int, draw: int) -> tuple[int, float]:
         if draw not in drawn:
             drawn[draw] = _poses(module, parameters, count, SEED + 1 + draw)
@@ -92,8 +102,6 @@ def _poses(module: ModuleType, parameters: dict[str, float], count: int, seed: i
 
 def _module(schedule: Schedule) -> ModuleType:
     """The generated module, run in memory."""
-    from dataclasses import replace
-
     from kinsym.emit.source.numpy_source import numpy_source
 
     (text,) = numpy_source(replace(schedule, name="calibrated", title="", table=())).values()

@@ -42,6 +42,15 @@ class Cut:
     shift: bool
     bordered: bool
 
+    @staticmethod
+    def before(suppressed: int) -> Cut:
+        """The cut that goes forward and suppresses a joint.
+
+        >>> Cut.before(4).suppressed
+        4
+        """
+        return Cut(dropped=(suppressed - 4) % 6 + 1, backward=False, shift=False, bordered=False)
+
     @property
     def order(self) -> tuple[int, ...]:
         """The joints N0 .. N5 by their numbers 1..6.

@@ -16,13 +16,13 @@ def general_plan(chain: Chain, task: Task, why: str) -> GeneralPlan | None:
     arm = six_joints(chain)
     if arm is None or arm.virtual or task is not Task.POSE or mobility(chain) < len(chain.joints):
         return None
+    if arm.kinds.count("P") == 2:
+        return _plan(arm, task, why, (), tuple(n for n, kind in enumerate(arm.kinds, start=1) if kind == "R"))
     cuts = usable(arm)
-    if not cuts:
-        return None
-    return _plan(arm, task, why, tuple(cuts))
+    return _plan(arm, task, why, tuple(cuts), ()) if cuts else None
 
 
-def _plan(arm: Arm, task: Task, why: str, cuts: tuple[Cut, ...]) -> GeneralPlan:
+def _plan(arm: Arm, task: Task, why: str, cuts: tuple[Cut, ...], suppressed: tuple[int, ...]) -> GeneralPlan:
     return GeneralPlan(
         task=task,
         kinds=arm.kinds,
@@ -30,6 +30,8 @@ def _plan(arm: Arm, task: Task, why: str, cuts: tuple[Cut, ...]) -> GeneralPlan:
         base=arm.link(arm.base),
         links=tuple(arm.link(link) for link in arm.links),
         cuts=cuts,
+        suppressed=suppressed,
+        maximum=8 if suppressed else 16,
         virtual=arm.virtual,
         size=size_of(arm.chain),
         why=why,

@@ -11,7 +11,6 @@ from kinsym.derivation import derive
 from kinsym.emit.program import build_schedule
 from kinsym.general.arm import six_joints
 from kinsym.general.ranks import usable
-from kinsym.kinematics.chain import build_chain
 from kinsym.robot import from_inline
 from tests.general.arms import COBOTS, derived, joint_vectors, module, nearest, random_table, run
 

@@ -64,6 +64,10 @@ _WORDS = {
     "x": r"\times",
     "Mi": "M_{i}",
     "Li": "L_{i}",
+    "Rk": "R_{k}",
+    "Ak": "A_{k}",
+    "rho": r"\rho",
+    **{f"{letter}{k}": f"{letter}_{{{k}}}" for letter in "ARk" for k in range(1, 5)},
     "1e-10": "10^{-10}",
 }
 

@@ -19,8 +19,8 @@ from kinsym.emit.source.kernels import ANGLE, KERNELS, kernels_used
 from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
 from kinsym.emit.source.statements import KernelCall, inverse_views
 from kinsym.emit.source.wrapping import WIDTH, cut, fill
-from kinsym.general.plan import GeneralPlan
-from kinsym.general.tables import BORDER_COLUMN, BORDER_ROW, OFFSET, arc_table, chebyshev_points, local_table
+from kinsym.general.plan import Cut, GeneralPlan
+from kinsym.general.tables import BORDER_COLUMN, BORDER_ROW, CHART, OFFSET, arc_table, chebyshev_points, local_table
 
 
 class NumpyPrinter(Printer):
@@ -109,6 +109,12 @@ def _signatures(schedule: Schedule, inverse: InverseNeeds) -> dict[str, Any]:
     }
 
 
+#: The parts of the general solver: what opens the loop and follows from a root, what finds roots and polishes.
+_LOOP = ("loop", "matrix", "substitution")
+_SLIDES = ("slides",)
+_SEARCH = ("roots", "isolation", "pivoting", "newton")
+
+
 def _general(schedule: Schedule, plan: GeneralPlan, inverse: InverseNeeds, printer: Printer) -> dict[str, Any]:
     """What the solver of an arm without a closed form reads."""
     entries = [
@@ -118,12 +124,14 @@ def _general(schedule: Schedule, plan: GeneralPlan, inverse: InverseNeeds, print
         if value != ZERO
     ]
     needed = [parameter.name for parameter in inverse.parameters]
+    cuts = plan.cuts or [Cut.before(number) for number in plan.suppressed]
+    ways = [(tuple(number - 1 for number in cut.order), cut.backward, cut.shift, cut.bordered) for cut in cuts]
     every = [parameter.name for parameter in schedule.parameters]
     return {
-        "cuts": [
-            (tuple(number - 1 for number in cut.order), cut.backward, cut.shift, cut.bordered) for cut in plan.cuts
-        ],
-        "attempts": tuple((way, nearby) for nearby in (False, True) for way in range(len(plan.cuts))),
+        "parts": ["solve", "closure", *(_SLIDES if plan.suppressed else _LOOP), *_SEARCH],
+        "two_slides": bool(plan.suppressed),
+        "cuts": ways,
+        "attempts": tuple((way, nearby) for nearby in (False, True) for way in range(len(ways))),
         "signs": plan.signs,
         "letters": plan.kinds,
         "virtual": plan.virtual,
@@ -134,6 +142,7 @@ def _general(schedule: Schedule, plan: GeneralPlan, inverse: InverseNeeds, print
         "link_parameters": _tuple(needed),
         "blocks_call": ["T", "reference", f"dict({', '.join(f'{name}={name}' for name in every)})"],
         "offset": OFFSET,
+        "chart": CHART,
         "border_column": list(BORDER_COLUMN),
         "border_row": list(BORDER_ROW),
         "arc_table": [_row(row) for row in arc_table()],
