@@ -119,6 +119,39 @@ def test_poses_where_everything_is_at_a_right_angle(name: str) -> None:
     assert (counts == 0).sum() <= 2 * (name == "mirrored")
 
 
+def singular_vectors(library: CLibrary, count: int, seed: int) -> list[np.ndarray]:
+    """Joint vectors at which the Jacobian is singular, by bisection of its determinant along the third joint."""
+
+    def sign(q: np.ndarray) -> bool:
+        return bool(np.linalg.det(library.jacobian(q)) > 0.0)
+
+    found: list[np.ndarray] = []
+    for q in joint_vectors(20 * count, seed):
+        low, high = q, q + np.array([0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
+        if sign(low) == sign(high) or len(found) == count:
+            continue
+        side = sign(low)
+        for _ in range(60):
+            middle = 0.5 * (low + high)
+            low, high = (middle, high) if sign(middle) == side else (low, middle)
+        found.append(low)
+    return found
+
+
+@pytest.mark.parametrize(("beside", "near"), [(0.0, 1e-3), (1e-8, 1e-3), (1e-6, 1e-3), (1e-4, 1e-6), (1e-2, 1e-8)])
+def test_poses_at_and_beside_singular_ones(beside: float, near: float) -> None:
+    # Two solutions meet here, or are about twice as far from each other as the joint vector is from the singular one.
+    # The rounding of a pose parts a double solution by 1e-8, or by 1e-6 where the pose hardly depends on the third joint.
+    library = built("skew")
+    copies = 0
+    for singular in singular_vectors(library, 40, seed=15):
+        q = singular + beside * np.array([0.3, -0.5, 0.6, 0.2, -0.4, 0.3])
+        _, solutions = library.ik(library.fk(q))
+        assert distance("skew", solutions, q).min() < near
+        copies += (distance("skew", solutions, q) < 1e-3).sum() > 1
+    assert copies <= 1 or beside > 0.0
+
+
 def test_solutions_that_share_their_suppressed_angle() -> None:
     # With theta4 = 0 the arm lies in a plane, and four solutions share theta4, which the cuts of this arm suppress.
     library = built("cobot")
