@@ -350,8 +350,8 @@ class _TwoSlides(_General):
             (third, second, fourth),
             f"from the orientation, for a value of {first}",
             (
-                f"A slide turns nothing: the orientation of the loop is a matter of {names}, of which {{Rk}} are the turns"
-                " and {Ak} the constant rotations between them:",
+                f"A slide turns nothing: the orientation of the loop is a matter of {names}, of which {{Rk}} are the"
+                " turns and {Ak} the constant rotations between them:",
                 Formula(
                     ("R1 A1 R2 A2 R3 A3 R4 A4", "I"),
                     (r"R_{1} A_{1} R_{2} A_{2} R_{3} A_{3} R_{4} A_{4}", "I"),
@@ -381,13 +381,13 @@ class _TwoSlides(_General):
             "the root of a polynomial of degree 8",
             (
                 f"Going round the loop adds up to {{r}} and to {slides} times their directions {{k1}} and {{k2}}. It"
-                " closes if the three vectors lie in one plane; with {rho^2 = 1 - u_z^2} and the two roots {+} and {-}:",
+                " closes if the three vectors lie in one plane; with {rho^2 = 1 - u_z^2} and both roots {+} and {-}:",
                 Formula(
                     (f"f({unknown})", "rho^2 det[k1 k2 r]_+ det[k1 k2 r]_- = 0"),
                     (f"f({name})", r"\rho^{2} \det[k_{1}\, k_{2}\, r]_{+} \det[k_{1}\, k_{2}\, r]_{-} = 0"),
                 ),
                 "It is a trigonometric polynomial of degree 4, so there are at most eight solutions. Its coefficients"
-                " follow from samples, its real roots are isolated on eight arcs of the circle by Descartes' rule of signs.",
+                " follow from samples, its real roots are isolated on eight arcs of the circle by Descartes' rule.",
             ),
         )
 
