@@ -141,7 +141,7 @@ def singular_vectors(library: CLibrary, count: int, seed: int) -> list[np.ndarra
 @pytest.mark.parametrize(("beside", "near"), [(0.0, 1e-3), (1e-8, 1e-3), (1e-6, 1e-3), (1e-4, 1e-6), (1e-2, 1e-8)])
 def test_poses_at_and_beside_singular_ones(beside: float, near: float) -> None:
     # Two solutions meet here, or are about twice as far from each other as the joint vector is from the singular one.
-    # The rounding of a pose parts a double solution by 1e-8, or by 1e-6 where the pose hardly depends on the third joint.
+    # The rounding of a pose parts a double solution by 1e-8, by 1e-6 where the pose hardly depends on that joint.
     library = built("skew")
     copies = 0
     for singular in singular_vectors(library, 40, seed=15):
