@@ -198,7 +198,7 @@ class Examination:
         odd = ~sets & close
         if self.schedule.general:
             for row in np.flatnonzero(odd):
-                odd[row] = not self._regular_ones_agree(left, right, row, self.poses[which[row]])
+                odd[row] = not self._regular_ones_agree(left, right, int(row), self.poses[which[row]])
                 sets[row] |= not odd[row]
         wrong = np.where(uniform, ~same, ~sets & ~pair & ~close)
         failed = int(wrong.sum()) + _beyond(int(odd.sum()), close, LOSSES)

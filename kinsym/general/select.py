@@ -1,4 +1,7 @@
-"""From an arm without a closed form to its plan."""
+"""From an arm without a closed form to its plan.
+
+Five joints whose task leaves the turn about the tool's axis open are completed by a virtual joint that makes it.
+"""
 
 from __future__ import annotations
 
@@ -14,11 +17,14 @@ from kinsym.robot.model import Task
 def general_plan(chain: Chain, task: Task, why: str) -> GeneralPlan | None:
     """The plan of a six-joint arm that a verdict leaves without a closed form; None if it has none either."""
     arm = six_joints(chain)
-    if arm is None or arm.virtual or task is not Task.POSE or mobility(chain) < len(chain.joints):
+    if arm is None or task is not (Task.POSITION_AXIS if arm.virtual else Task.POSE):
         return None
+    if mobility(chain) < len(chain.joints):
+        return None
+    own = range(1, len(chain.joints) + 1)
     if arm.kinds.count("P") == 2:
-        return _plan(arm, task, why, (), tuple(n for n, kind in enumerate(arm.kinds, start=1) if kind == "R"))
-    cuts = usable(arm)
+        return _plan(arm, task, why, (), tuple(number for number in own if arm.kinds[number - 1] == "R"))
+    cuts = [cut for cut in usable(arm) if cut.suppressed in own]
     return _plan(arm, task, why, tuple(cuts), ()) if cuts else None
 
 

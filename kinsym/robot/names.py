@@ -40,7 +40,8 @@ _FUNCTIONS = frozenset(
 _GENERATED = frozenset(
     """T q p R J G M N S I i j k m n np numpy math tau size delta defect reference zeros parameters valid real out pose
     count fk ik ik_batch ik_near jacobian self all_finite angle_of sign_of read_pose reaches usable isfinite isnan
-    direction homogeneous homogeneous2 linear quadratic quartic quotient quotient_length triangle linux unix
+    constant_motions direction homogeneous homogeneous2 linear quadratic quartic quotient quotient_length
+    rigid_motion triangle linux unix
     NAME TITLE JOINTS JOINT_TYPES PARAMETERS MAX_SOLUTIONS TASK""".split()
 )
 _PATTERNS = (

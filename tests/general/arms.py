@@ -62,11 +62,16 @@ def run(schedule: Schedule) -> ModuleType:
 
 @cache
 def derived(name: str) -> Derivation:
-    """The derivation of ``"xarm6"``, ``"random1"`` or ``"slide3"`` (random, joint 3 prismatic)."""
+    """The derivation of ``"xarm6"``, ``"random1"``, ``"slide3"`` (joint 3 prismatic), ``"slide24"`` or ``"five1"``."""
     if name in COBOTS:
         return derive(cobot(name))
-    number = int(name[-1])
-    return derive(random_robot(number) if name.startswith("random") else random_robot(10 + number, (number,)))
+    number = int(name.strip("abcdefghijklmnopqrstuvwxyz"))
+    if name.startswith("five"):
+        table = random_table(20 + number).rpartition("; ")[0]
+        return derive(from_inline(table, convention="paul", name=name))
+    if name.startswith("slide"):
+        return derive(random_robot(10 + number, tuple(map(int, str(number)))))
+    return derive(random_robot(number))
 
 
 @cache
@@ -76,10 +81,10 @@ def module(name: str) -> ModuleType:
 
 
 def joint_vectors(module: ModuleType, count: int, seed: int) -> np.ndarray:
-    """Random joint vectors (count, 6), slides within a metre."""
+    """Random joint vectors (count, n), slides within a metre."""
     rng = np.random.Generator(np.random.PCG64(seed))
     sliding = np.array([kind == "P" for kind in module.JOINT_TYPES])
-    return rng.uniform(-1.0, 1.0, (count, 6)) * np.where(sliding, 1.0, np.pi)
+    return rng.uniform(-1.0, 1.0, (count, len(sliding))) * np.where(sliding, 1.0, np.pi)
 
 
 def nearest(module: ModuleType, solutions: np.ndarray, q: np.ndarray) -> np.ndarray:

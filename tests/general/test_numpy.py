@@ -14,7 +14,8 @@ from kinsym.general.ranks import usable
 from kinsym.robot import from_inline
 from tests.general.arms import COBOTS, derived, joint_vectors, module, nearest, random_table, run
 
-ARMS = ["random1", "random2", *COBOTS, *(f"slide{number}" for number in range(1, 7))]
+PAIRS = ("slide12", "slide24", "slide36", "slide56")
+ARMS = ["random1", "random2", *COBOTS, *(f"slide{number}" for number in range(1, 7)), *PAIRS]
 
 
 @pytest.mark.parametrize("name", ARMS)
@@ -61,6 +62,21 @@ def test_solutions_that_share_an_angle_by_symmetry_are_found(name: str, joint: i
     regular = np.linalg.svd(arm.jacobian(q), compute_uv=False)[:, -1] > 1e-3
     assert regular.any()
     assert nearest(arm, solutions[regular], q[regular]).max() < 1e-6
+
+
+def test_five_joints_reach_a_position_and_an_axis() -> None:
+    """The turn of the tool about its axis, which the pose has and the task does not ask for, changes nothing."""
+    arm = module("five1")
+    assert (arm.TASK, arm.JOINTS[-1], arm.MAX_SOLUTIONS) == ("position_axis", "theta5", 16)
+    q = joint_vectors(arm, 60, seed=12)
+    poses = arm.fk(q)
+    spun = poses.copy()
+    spun[:, :3, 0], spun[:, :3, 1] = poses[:, :3, 1], -poses[:, :3, 0]
+    for given in (poses, spun):
+        solutions, valid = arm.ik_batch(given)
+        assert nearest(arm, solutions, q).max() < 1e-6
+        gap = arm.fk(np.where(valid[..., None], solutions, 0.0)) - given[:, None]
+        assert np.abs(gap[..., 2:])[valid].max() < 1e-12
 
 
 def test_solutions_are_sorted_by_the_first_joint() -> None:

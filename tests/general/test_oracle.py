@@ -9,7 +9,7 @@ from kinsym.check.solvers import ExactSolver
 from kinsym.emit.program import build_schedule
 from tests.general.arms import derived, joint_vectors, module, nearest
 
-ARMS = ["random1", "xarm6", "crx10ia", "slide1", "slide4"]
+ARMS = ["random1", "xarm6", "crx10ia", "slide1", "slide4", "slide25", "five1"]
 
 
 @pytest.mark.parametrize("name", ARMS)

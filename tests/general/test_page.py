@@ -27,6 +27,21 @@ def test_the_steps_name_every_joint_and_why(name: str) -> None:
     assert all(len(line) <= 96 for line in steps.splitlines())
 
 
+def test_two_slides_have_a_page_of_their_own() -> None:
+    page = equations(derived("slide24"))
+    steps = page[page.index("Inverse kinematics") :]
+    assert "R1 A1 R2 A2 R3 A3 R4 A4 = I" in steps
+    assert "at most 8 solutions" in steps
+    text = document(derived("slide24"))
+    assert r"\rho^{2} \det[k_{1}" in text
+    assert "$R_{2}$ turns $A_{2} R_{3} A_{3} z$ into $u$" in text
+
+
+def test_five_joints_are_completed() -> None:
+    assert "turns the tool about its own axis by an angle phi" in equations(derived("five1"))
+    assert r"\phi" in document(derived("five1"))
+
+
 @pytest.mark.parametrize("name", ["random1", "crx10ia", "slide3"])
 def test_the_document_sets_its_mathematics(name: str) -> None:
     text = document(derived(name))
