@@ -79,6 +79,21 @@ def test_five_joints_reach_a_position_and_an_axis() -> None:
         assert np.abs(gap[..., 2:])[valid].max() < 1e-12
 
 
+@pytest.mark.parametrize("slides", ["PRPRPR", "PRPRRP", "RPRPRP"])
+def test_three_slides_apart_have_a_closed_form(slides: str) -> None:
+    """No equation holds one length alone: two are solved for two of them."""
+    cells = ("pi/2 0.3 0.1", "0.7 0.25 0.12", "-1.1 0.2 -0.15", "0.9 0.15 0.3", "1.3 0.1 0.1", "0.4 0.05 0.2")
+    rows = [
+        f"{cell} theta{k}" if kind == "R" else f"{cell.rpartition(' ')[0]} d{k} 0"
+        for k, (kind, cell) in enumerate(zip(slides, cells, strict=True), start=1)
+    ]
+    derivation = derive(from_inline("; ".join(rows), convention="paul", name="three"))
+    assert derivation.plan is not None
+    arm = run(build_schedule(derivation))
+    q = joint_vectors(arm, 50, seed=13)
+    assert nearest(arm, arm.ik_batch(arm.fk(q))[0], q).max() < 1e-9
+
+
 def test_solutions_are_sorted_by_the_first_joint() -> None:
     arm = module("random1")
     solutions, valid = arm.ik_batch(arm.fk(joint_vectors(arm, 50, seed=6)))

@@ -129,6 +129,10 @@ class View:
         """The equations whose only unknown is one prismatic variable."""
         return [e for e in self.equations if len(e.lengths) == 1 and not e.angles]
 
+    def of_two_lengths(self) -> list[PoolEquation]:
+        """The equations whose only unknowns are two prismatic variables."""
+        return [e for e in self.equations if len(e.lengths) == 2 and not e.angles]
+
     def of_two_angles(self) -> list[PoolEquation]:
         """The position equations with two unknown angles of one group and nothing else unknown."""
         return [
