@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 
 from kinsym.algebra.tree import Sym
 from kinsym.check.evaluate import Compiled, Environment, Program, compiled, exact
+from kinsym.check.general import GeneralOracle
 from kinsym.check.kernels import KERNELS
 from kinsym.check.marks import NONE, Mark
 from kinsym.check.settle import ON_THE_POSE, Goal, Settler, Solution
@@ -100,6 +101,11 @@ class ExactWalk:
             wrap=numbers.functions["wrap"],
             locked=schedule.locked,
         )
+        self._general = (
+            GeneralOracle(self.ctx, numbers, schedule.general, self.given, (self.forward, self.jacobian))
+            if schedule.general
+            else None
+        )
 
     def forward(self, q: Sequence[Value]) -> list[list[Value]]:
         """The pose as three rows of four entries (u, v, w, p)."""
@@ -118,6 +124,8 @@ class ExactWalk:
         if checked is None:
             return None
         rows, tau = checked
+        if self._general is not None:
+            return self._general.solutions(rows)
         values = reference if reference is not None else [0] * len(self.joints)
         wanted = {name: self.ctx.mpf(value) for name, value in zip(self.joints, values, strict=True)}
         env = self._held.names({**self.given, **{name: wanted[name] for name in self.schedule.inputs}, "tau": tau})

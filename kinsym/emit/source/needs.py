@@ -97,6 +97,8 @@ def inverse_needs(schedule: Schedule) -> InverseNeeds:
     statements = tuple(reversed(kept))
     if _depths(statements) != schedule.depth:
         raise ValueError(f"the schedule of {schedule.name} does not open {schedule.depth} levels in order")
+    if schedule.general:
+        names |= _names(entry for link in schedule.general.transforms for entry in link.entries)
     if "size" in names:
         names |= _names([schedule.size])
     return InverseNeeds(
