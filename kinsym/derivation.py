@@ -115,6 +115,7 @@ def _general(derivation: Derivation, refusal: NoClosedForm, deadline: Deadline) 
     general = general_plan(derivation.solved, task, str(refusal), deadline)
     if general is None:
         return None
+    general = replace(general, size=arm_size(derivation.chain))
     return calibrated(build_schedule(replace(derivation, general=general)), deadline)
 
 

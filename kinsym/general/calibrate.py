@@ -68,7 +68,7 @@ def _scores(schedule: Schedule, deadline: Deadline) -> Callable[[int, int, int],
     parameters = {
         parameter.name: float(rng.uniform(0.1, 1.0) if parameter.value is None else parameter.value)
         for parameter in schedule.parameters
-    }
+    } | {name: float(rng.uniform(0.1, 1.0)) for name in schedule.inputs}
     drawn: dict[int, tuple[Any, Any]] = {}
 
     @cache
@@ -79,7 +79,7 @@ def _scores(schedule: Schedule, deadline: Deadline) -> Callable[[int, int, int],
         wanted, length = drawn[draw]
         with np.errstate(all="ignore"):
             pose, q, _ = module._starts(module._CUTS[number], length, wanted, parameters)
-            before = module._distance(module.fk(q, **parameters), wanted[pose], length[pose])
+            before = module._distance(module._reached(q, parameters), wanted[pose], length[pose])
             q, after = module._polished(q, wanted[pose], length[pose], parameters)
             good = after < module._ACCEPTED
             found = module._distinct(pose[good], q[good], after[good], wanted, length, parameters)[0]
@@ -96,10 +96,10 @@ def _poses(module: ModuleType, parameters: dict[str, float], count: int, seed: i
     import numpy as np
 
     rng = np.random.Generator(np.random.PCG64(seed))
-    q = rng.uniform(-1.0, 1.0, (count, len(module.JOINTS)))
+    q = rng.uniform(-1.0, 1.0, (count, len(module._SLIDING)))
     links = module._links(**{name: parameters[name] for name in module._LINK_PARAMETERS})
     length = float(np.sqrt((links[1:6, :3, 3] ** 2).sum(axis=1)).mean())
-    wanted = module.fk(q * np.where(module._SLIDING, REACH * length, np.pi), **parameters)
+    wanted = module._reached(q * np.where(module._SLIDING, REACH * length, np.pi), parameters)
     return wanted, module._lengths(wanted, parameters)
 
 

@@ -7,6 +7,8 @@ from math import comb
 from typing import Any
 
 from kinsym.emit.printer import Printer
+from kinsym.emit.schedule import Schedule
+from kinsym.emit.source.needs import held_needs
 from kinsym.emit.source.wrapping import WIDTH, cut
 from kinsym.general import tables
 from kinsym.general.plan import Cut, GeneralPlan, Link
@@ -31,7 +33,7 @@ def parts(kinds: str) -> tuple[str, ...]:
     return (*_BEFORE, *_LOOP, *_ROOTS, *_BACK, *_AFTER)
 
 
-def general_names(plan: GeneralPlan, printer: Printer) -> dict[str, Any]:
+def general_names(schedule: Schedule, plan: GeneralPlan, printer: Printer) -> dict[str, Any]:
     """The names that the templates in c/general read."""
     return {
         "parts": [f"c/general/{part}.c.jinja" for part in parts(plan.kinds)],
@@ -39,6 +41,8 @@ def general_names(plan: GeneralPlan, printer: Printer) -> dict[str, Any]:
         "signs": [f"{sign}.0" for sign in plan.signs],
         "links": [_link(link, printer) for link in plan.transforms],
         "cuts": [_cut(item) for item in plan.cuts] or [_round(number) for number in plan.suppressed[:2]],
+        "solved": [place for place, name in enumerate(schedule.solution) if name not in schedule.locked],
+        "held": held_needs(schedule),
         "tables": _tables(),
     }
 

@@ -77,7 +77,10 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "comment": comment,
     }
     if schedule.general:
-        names |= {"general": general_names(schedule.general, printer), "functions": names["functions"] | {"wrap"}}
+        names |= {
+            "general": general_names(schedule, schedule.general, printer),
+            "functions": names["functions"] | {"wrap"},
+        }
     return {
         f"{schedule.name}.h": render("c/header.h.jinja", **names),
         f"{schedule.name}.c": render("c/source.c.jinja", **names),
@@ -160,6 +163,7 @@ def _heads(schedule: Schedule, twins: bool) -> dict[str, Any]:
         "settle": f"static int settle({solutions}, {ending}int mark, {parameters}, const double M[12], "
         "double tau, double size)",
         "tidied": f"static int tidied({solutions}, {name}_mark marks[], const int doubtful[], int count{sliding})",
+        "hold": f"static void hold(const {name}_params *p, double q[{joints}])",
         "constant_motions": f"static {returned} constant_motions(const {name}_params *p, rigid_motion out[7])",
         "reaches": f"static int reaches({vector}, {parameters}, const double M[12], double tau{size})",
     }

@@ -17,7 +17,7 @@ from kinsym.emit.source.banner import banner, python_comment, python_docstring, 
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import ANGLE, KERNELS, kernels_used
 from kinsym.emit.source.marks import numpy_marks
-from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
+from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, held_needs, inverse_needs, line_needs
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
 from kinsym.emit.source.wrapping import WIDTH, cut, fill
@@ -140,7 +140,8 @@ def _general(schedule: Schedule, plan: GeneralPlan, inverse: InverseNeeds, print
         for (row, column), value in link.places
         if value != ZERO
     ]
-    needed = [parameter.name for parameter in inverse.parameters]
+    held = held_needs(schedule)
+    needed, read = ([*(item.name for item in needs.parameters), *needs.inputs] for needs in (inverse, held))
     cuts = plan.cuts or [Cut.before(number) for number in plan.suppressed]
     ways = [(tuple(number - 1 for number in cut.order), cut.backward, cut.shift, cut.bordered) for cut in cuts]
     every = [parameter.name for parameter in schedule.parameters]
@@ -153,11 +154,21 @@ def _general(schedule: Schedule, plan: GeneralPlan, inverse: InverseNeeds, print
         "letters": plan.kinds,
         "virtual": plan.virtual,
         "columns": "2:" if plan.virtual else ":",
-        "names_in_order": ", ".join(joint.name for joint in schedule.joints),
+        "names_in_order": ", ".join(name for name in schedule.solution if name not in schedule.locked),
+        "solved": [place for place, name in enumerate(schedule.solution) if name not in schedule.locked],
+        "held": held,
+        "whole_head": head("_whole", ["q", *read]),
+        "whole_of": lambda q: f"_whole({', '.join([q, *_looked_up(read)])})",
+        "own_parameters": "{name: parameters[name] for name in PARAMETERS}" if schedule.inputs else "parameters",
         "link_entries": entries,
         "links_head": head("_links", needed),
         "link_parameters": _tuple(needed),
-        "blocks_call": ["T", "reference", f"dict({', '.join(f'{name}={name}' for name in every)})"],
+        "blocks_call": [
+            "T",
+            "reference",
+            f"dict({', '.join(f'{name}={name}' for name in every)})",
+            *(f"{name}={name}" for name in schedule.inputs),
+        ],
         "offset": OFFSET,
         "chart": CHART,
         "border_column": list(BORDER_COLUMN),
@@ -166,6 +177,10 @@ def _general(schedule: Schedule, plan: GeneralPlan, inverse: InverseNeeds, print
         "points": _array(chebyshev_points()),
         "local_table": [_row(row) for row in local_table()],
     }
+
+
+def _looked_up(names: Sequence[str]) -> list[str]:
+    return [f'parameters["{name}"]' for name in names]
 
 
 def _array(values: Sequence[float]) -> str:
