@@ -21,10 +21,11 @@ LARGEST = 120
 class Factored:
     """``constant`` times the powers of the ``factors``, which hold a cosine, a sine or a prismatic variable each.
 
-    ``complete`` tells that no factor can be split further.
+    ``fixed`` are the factors of ``constant``; ``complete`` tells that no factor can be split further.
     """
 
     constant: Poly
+    fixed: tuple[Poly, ...]
     factors: tuple[tuple[Poly, int], ...]
     complete: bool
 
@@ -36,7 +37,7 @@ def factored(ring: Ring, polys: list[Poly]) -> Factored:
     >>> ring = Ring([Generator("c1", Kind.COSINE), Generator("s1", Kind.SINE, "c1"), Generator("a", Kind.PARAMETER)])
     >>> c, s, a = ring["c1"], ring["s1"], ring["a"]
     >>> factored(ring, [ring.reduce(2 * a * s * (a * c + s))])
-    Factored(constant=2*a, factors=((c1*a + s1, 1), (s1, 1)), complete=True)
+    Factored(constant=2*a, fixed=(a,), factors=((c1*a + s1, 1), (s1, 1)), complete=True)
     """
     counts: Counter[Poly] = Counter()
     complete = True
@@ -56,7 +57,7 @@ def factored(ring: Ring, polys: list[Poly]) -> Factored:
     fixed = [factor for factor in counts if ring.is_constant(factor)]
     for factor in fixed:
         constant = ring.mul(constant, ring.reduce(factor ** counts.pop(factor)))
-    return Factored(constant, tuple(counts.items()), complete)
+    return Factored(constant, tuple(fixed), tuple(counts.items()), complete)
 
 
 def _quotient(ring: Ring, whole: Poly, product: Poly) -> Poly:

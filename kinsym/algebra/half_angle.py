@@ -68,13 +68,29 @@ class HalfAngles:
     def factors(self, whole: Piece) -> list[Piece]:
         """The irreducible factors of a homogeneous polynomial, as often as they divide it; numbers are left out."""
         found = []
-        for poly, power in whole.poly.factor_list()[1]:
+        for poly, power in self._irreducible(whole.poly):
             found += [Piece(poly, tuple(poly.degree(place) for place in range(len(self.circles))))] * power
         for place, degree in enumerate(whole.degrees):
             unit = tuple(int(k == place) for k in range(len(self.circles)))
             missing = degree - sum(piece.degrees[place] for piece in found)
             found += [Piece(self._ring.one, unit)] * missing
         return found
+
+    def _irreducible(self, poly: Poly) -> list[tuple[Poly, int]]:
+        """The irreducible factors with their powers.
+
+        A polynomial a x + b is irreducible if a and b have no common factor, so most need but a common divisor.
+        """
+        first = len(self.circles)
+        for place in range(first, first + len(self._others)):
+            if poly.degree(place) == 1:
+                parts = [self._ring.zero, self._ring.zero]
+                for monomial, coefficient in poly.terms():
+                    rest = (*monomial[:place], 0, *monomial[place + 1 :])
+                    parts[monomial[place]][rest] = coefficient
+                common = parts[0].gcd(parts[1])
+                return [*common.factor_list()[1], (poly.quo(common), 1)]
+        return list(poly.factor_list()[1])
 
     def product(self, pieces: list[Piece]) -> Piece:
         """The product of pieces."""

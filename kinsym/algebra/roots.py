@@ -5,6 +5,8 @@ A polynomial is a list of coefficients, the constant one first.
 
 from __future__ import annotations
 
+from sympy.ntheory import sqrt_mod
+
 from kinsym.algebra.field import PRIME, inverse
 
 Coefficients = list[int]
@@ -21,9 +23,20 @@ def roots(poly: Coefficients) -> list[int]:
     poly = _trimmed([value % PRIME for value in poly])
     if len(poly) < 2:
         return []
+    if len(poly) == 3:
+        return _quadratic(*poly)
     power = _power([0, 1], PRIME, poly)
     linear = _divisor(poly, _minus(power, [0, 1]))
     return sorted(_split(linear))
+
+
+def _quadratic(c: int, b: int, a: int) -> list[int]:
+    """The roots of a x^2 + b x + c."""
+    square = (b * b - 4 * a * c) % PRIME
+    if square and pow(square, (PRIME - 1) // 2, PRIME) != 1:
+        return []
+    root, scale = sqrt_mod(square, PRIME), inverse(2 * a)
+    return sorted({(-b + root) * scale % PRIME, (-b - root) * scale % PRIME})
 
 
 def _split(poly: Coefficients) -> list[int]:

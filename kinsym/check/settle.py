@@ -24,8 +24,10 @@ Matrix = list[list[Value]]
 ON_THE_POSE = 4
 #: A root that is not in doubt was found if it is polished to this distance; the pose itself may be off by the rest.
 POLISHED = 1e-9
-#: Two vectors as near in every joint, in radians or sizes of the arm, are one if one of them was in doubt.
+#: Two vectors as near in every joint, in radians or sizes of the arm, are one if one of them was in doubt, and if one
+#: of them was moved.
 ALIKE = 1e-3
+MOVED = 1e-6
 
 STARTS = 4
 PASSES = 40
@@ -47,11 +49,11 @@ class Goal(NamedTuple):
 
 
 class Solution(NamedTuple):
-    """A joint vector, its place among all branches, and whether another one may turn out to be the same."""
+    """A joint vector, its place among all branches, and how near another one must be to be the same (0: none is)."""
 
     branch: int
     q: Vector
-    doubtful: bool
+    alike: float = 0
 
 
 class Settler:
@@ -87,26 +89,26 @@ class Settler:
         q, left = self._polished(start, goal)
         if left > goal.reach and (Mark.DOUBTFUL in mark or left > POLISHED):
             return []
-        found = [given._replace(q=self._in_range(q))]
+        found = [given._replace(q=self._in_range(q), alike=max(given.alike, MOVED))]
         if Mark.BORDER in mark:
             mirrored, left = self._polish([2 * a - b for a, b in zip(start, q, strict=True)], goal)
             if left <= goal.reach:
-                found.append(Solution(twin, self._in_range(mirrored), doubtful=True))
+                found.append(Solution(twin, self._in_range(mirrored), ALIKE))
         return found
 
     def without_copies(self, found: Sequence[Solution], size: Value) -> list[Solution]:
-        """The solutions less those in doubt that turned out to be another one."""
+        """The solutions less those that turned out to be another one."""
         kept: list[Solution] = []
         for number, solution in enumerate(found):
-            sure = [other for other in found[number + 1 :] if not other.doubtful]
-            if not solution.doubtful or not any(self._alike(solution.q, other.q, size) for other in (*kept, *sure)):
+            surer = [other for other in found[number + 1 :] if other.alike < solution.alike]
+            if not any(self._alike(solution, other, size) for other in (*kept, *surer)):
                 kept.append(solution)
         return kept
 
-    def _alike(self, left: Vector, right: Vector, size: Value) -> bool:
-        return all(
-            abs(a - b) <= ALIKE * size if slides else abs(self._wrap(a - b)) <= ALIKE
-            for a, b, slides in zip(left, right, self._slides, strict=True)
+    def _alike(self, solution: Solution, other: Solution, size: Value) -> bool:
+        return solution.alike > 0 and all(
+            abs(a - b) <= solution.alike * size if slides else abs(self._wrap(a - b)) <= solution.alike
+            for a, b, slides in zip(solution.q, other.q, self._slides, strict=True)
         )
 
     def _in_range(self, q: Vector) -> Vector:

@@ -23,7 +23,7 @@ from kinsym.emit.prose.singular import family_conditions
 from kinsym.emit.schedule import Schedule
 from kinsym.emit.singular import SingularPoses
 from kinsym.emit.text.formula import TextPrinter
-from kinsym.kinematics.conditions import Condition
+from kinsym.kinematics.singular import Condition
 from kinsym.robot.model import Task
 
 Floats = NDArray[np.float64]
@@ -67,11 +67,13 @@ class SingularNumbers:
         self._set = poses.set
         self._joints = [joint.name for joint in schedule.joints]
         self._moving = [place for place, name in enumerate(self._joints) if name not in schedule.locked]
+        held = {item.name for item in schedule.held}
+        self._free = [place for place, name in enumerate(self._joints) if name not in held]
         self._held = Program(schedule.held, (), self._numbers)
         given: dict[str, Any] = {name: value.numerator / value.denominator for name, value in parameters.items()}
         self._given = Program(schedule.constants, (), self._numbers).names(given)
         self._angles = Program(poses.angles, (), self._numbers)
-        self._sums = {item.name: item.value for item in poses.angles}
+        self._sums = {item.name: item.value for item in (*poses.angles, *schedule.held)}
         self.size = float(Program((), (schedule.size,), self._numbers)({**AT_THE_ORIGIN, **self._given})[0])
 
     def moving(self, jacobian: Floats) -> Floats:
@@ -92,7 +94,7 @@ class SingularNumbers:
 
     def zeros(self, starts: Floats, reach: Floats) -> Iterator[Floats]:
         """Joint vectors at which a condition holds, each found from one of the ``starts`` (m, n)."""
-        for condition in self._set.conditions:
+        for condition in self._set.listed:
             if not condition.whole:
                 continue
             found = 0
@@ -125,9 +127,9 @@ class SingularNumbers:
         return q
 
     def _movers(self, value: Tree) -> list[int]:
-        """The joints that an expression depends on."""
+        """The joints that an expression depends on and that stand at no value of the table; an input takes any."""
         names = {name for symbol in symbols(value) for name in symbols(self._sums.get(symbol, Sym(symbol)))}
-        return [place for place in self._moving if self._joints[place] in names]
+        return [place for place in self._free if self._joints[place] in names]
 
     def _root(self, function: Compiled, q: Floats, place: int, reach: float) -> float | None:
         """A sign change of an expression along one joint, halved until nothing is left of it."""
@@ -172,7 +174,7 @@ def singular_figures(schedule: Schedule) -> dict[str, Any]:
                 "zero": [write(value) for value in condition.values],
                 "meaning": condition.meaning.reason,
             }
-            for condition in singular.conditions
+            for condition in singular.listed
         ],
         "families": [
             {

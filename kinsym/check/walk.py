@@ -18,7 +18,7 @@ from kinsym.check.evaluate import Compiled, Environment, Program, compiled, exac
 from kinsym.check.general import GeneralOracle
 from kinsym.check.kernels import KERNELS
 from kinsym.check.marks import NONE, Mark
-from kinsym.check.settle import ON_THE_POSE, Goal, Settler, Solution
+from kinsym.check.settle import ALIKE, ON_THE_POSE, Goal, Settler, Solution
 from kinsym.check.task import ENTRIES, POSITION
 from kinsym.emit.schedule import Assign, Note, Schedule, Solve
 from kinsym.general.plan import GeneralPlan
@@ -133,7 +133,7 @@ class ExactWalk:
         goal = Goal(rows, size if size > 0 else self.ctx.mpf(1), ON_THE_POSE * tau)
         found: list[Solution] = []
         for way, q in self._paths(0, env, wanted, _Way()):
-            plain = Solution(way.branch, q, Mark.DOUBTFUL in way.mark)
+            plain = Solution(way.branch, q, ALIKE if Mark.DOUBTFUL in way.mark else 0)
             if way.mark:
                 found += self._settler.settle(plain, way.branch + (way.aside or 0), way.mark, goal)
             elif not self.schedule.gate or self._reaches(q, rows, tau, size):

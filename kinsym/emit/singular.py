@@ -34,7 +34,7 @@ def singular_poses(derivation: Derivation) -> SingularPoses:
 def singular_trees(derivation: Derivation) -> Iterator[Tree]:
     """Every expression that is printed of the singular poses."""
     yield derivation.singular.constant
-    for condition in derivation.singular.conditions:
+    for condition in derivation.singular.listed:
         yield from condition.values
     for family in derivation.families:
         for left, _, right in family.conditions:

@@ -17,13 +17,14 @@ from itertools import combinations, product
 from kinsym.algebra.field import PRIME
 from kinsym.algebra.linear import kernel
 from kinsym.algebra.residues import residue_of
-from kinsym.algebra.tree import ZERO, Definition, Num, Pow, Sum, Sym, Tree, add, mul, symbols
+from kinsym.algebra.tree import ZERO, Definition, Num, Pow, Prod, Sum, Sym, Tree, add, mul, negated, negative, symbols
 from kinsym.inverse.plan import Item, Plan, Step, Window
 from kinsym.kinematics.chain import Chain
-from kinsym.kinematics.conditions import POSTURES, Condition
-from kinsym.kinematics.posture import Posture
 from kinsym.kinematics.singular import SingularSet
-from kinsym.kinematics.zeros import Zero, postures
+from kinsym.kinematics.singular.conditions import POSTURES, Condition
+from kinsym.kinematics.singular.given import inputs
+from kinsym.kinematics.singular.posture import Posture
+from kinsym.kinematics.singular.zeros import Zero, postures
 
 Relation = tuple[Tree, str, Tree]
 
@@ -52,6 +53,8 @@ class Family:
 Motion = tuple[int, ...]
 """How fast each joint moves, modulo the prime."""
 
+#: An expression with more names in it than this is told by its own name, such as mu5.
+LONGEST_SQUARE = 12
 #: Sums of at most so many joints are tried as constants.
 LONGEST_SUM = 4
 
@@ -72,7 +75,8 @@ def families(chain: Chain, singular: SingularSet, plan: Plan) -> tuple[Family, .
             if family not in found:
                 found.append(family)
     left = [step for step in plan.steps if step.unknown not in matched]
-    return (*found, *(family for step in left for family in _provided_for(chain, step)))
+    provided = (_provided_for(chain, step) for step in left)
+    return (*found, *(family for family in provided if family is not None))
 
 
 def _motion(chain: Chain, singular: SingularSet, zero: Zero, posture: Posture) -> Motion | None:
@@ -110,10 +114,7 @@ def _degenerate(plan: Plan, step: Step, posture: Posture) -> bool:
     for column, vector in zip("uvwp", (*zip(*posture.turned, strict=True), posture.end), strict=True):
         values |= {f"{column}_{row}": entry for row, entry in zip("xyz", vector, strict=True)}
     for item in plan.items:
-        definitions = (
-            item.definitions if isinstance(item, Window) else item.coefficients if isinstance(item, Step) else ()
-        )
-        for definition in (item,) if isinstance(item, Definition) else definitions:
+        for definition in _definitions(item):
             value = residue_of(definition.value, values)
             if value is not None:
                 values[definition.name] = value
@@ -187,10 +188,29 @@ def _written(chain: Chain, plan: Plan, variables: list[str], signed: dict[int, i
     return add(*(mul(Num(Fraction(sign)), Sym(name)) for name, sign in sorted(named.items(), key=lambda one: -one[1])))
 
 
-def _provided_for(chain: Chain, step: Step) -> Iterator[Family]:
-    """A family that the plan provides for although no singular condition of the table as it stands leads to it."""
+def _provided_for(chain: Chain, step: Step) -> Family | None:
+    """A family that the plan provides for although no singular condition of the table as it stands leads to it.
+
+    None where one of the squares that have to vanish is a length of the table, such as 2*d3*d5.
+    """
     if step.degenerate is None:
-        return
-    constant = {name for name, _ in chain.constants.formulas()} | set(chain.robot.parameters)
-    if all(set(symbols(square)) - constant for square in _squares(step.degenerate[0])):
-        yield Family(conditions=(step.degenerate,), free=step.unknown, folded=step.rule == "direction")
+        return None
+    given = inputs(chain)
+    fixed = {name for name, _ in chain.constants.formulas() if name not in given} | set(chain.robot.parameters)
+    named = {item.name: item.value for item in step.coefficients}
+    bases = list(_squares(step.degenerate[0]))
+    values = [named.get(base.name, base) if isinstance(base, Sym) else base for base in bases]
+    if any(set(symbols(value)) <= fixed for value in values):
+        return None
+    relations: tuple[Relation, ...] = (step.degenerate,)
+    if values != bases and all(len(list(symbols(value))) <= LONGEST_SQUARE for value in values):
+        relations = tuple((_bare(value, fixed), "=", ZERO) for value in values)
+    return Family(conditions=relations, free=step.unknown, folded=step.rule == "direction")
+
+
+def _bare(tree: Tree, fixed: set[str]) -> Tree:
+    """An expression that has to vanish, without factors that never do and without a leading minus sign."""
+    if isinstance(tree, Prod):
+        return mul(*(factor for factor in tree.factors if not set(symbols(factor)) <= fixed))
+    first = tree.terms[0] if isinstance(tree, Sum) else tree
+    return negated(tree) if negative(first) else tree

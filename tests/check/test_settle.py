@@ -67,7 +67,7 @@ def test_a_border_beside_the_pose_hides_two_solutions(bend: str) -> None:
     assert abs(first.q[1] + second.q[1]) < 1e-20
     assert min(abs(item.q[1] - target[1]) for item in (first, second)) < 1e-20
     assert (first.branch, second.branch) == (0, 1)
-    assert (first.doubtful, second.doubtful) == (False, True)
+    assert (first.alike, second.alike) == (MOVED, ALIKE)
 
 
 def test_only_a_border_has_a_twin() -> None:
@@ -90,7 +90,7 @@ def test_a_doubt_beyond_the_reach_is_no_solution() -> None:
         for axis in range(2):
             rows[axis][3] *= 1 + CTX.mpf(outside)
         goal = Goal(rows, _walk().size, REACH)
-        given = Solution(0, start, doubtful=True)
+        given = Solution(0, start, ALIKE)
         assert len(_settler().settle(given, 1, Mark.SOFT | Mark.DOUBTFUL, goal)) == doubtful
         assert len(_settler().settle(given, 1, Mark.SOFT, goal)) == sure
 

@@ -14,6 +14,7 @@ from kinsym.emit import TARGETS
 from kinsym.emit.latex import document
 from kinsym.emit.program import build_schedule
 from kinsym.emit.text import equations
+from kinsym.robot import load, lock
 from kinsym.robot.files import from_draft
 from tests.arms import NAMES, derivation
 
@@ -113,4 +114,20 @@ def test_the_report_holds_the_same() -> None:
         "constant": ["theta1"],
         "follows": ["theta4", "theta5", "theta6"],
         "equal_links_folded": False,
+    }
+
+
+def test_a_value_of_an_input_that_makes_every_pose_singular_is_told_everywhere() -> None:
+    arm = derive(lock(load("kuka_iiwa"), {"theta2": None}))
+    text = equations(arm, width=96)
+    assert "  With joint 2 locked there, every pose is singular\n      s2 = 0, so theta2 = 0 or theta2 = pi\n" in text
+    assert "With joint 2 locked there, every pose is singular" in document(arm)
+    schedule = build_schedule(arm)
+    header = TARGETS["c"](schedule)["kuka_iiwa.h"]
+    assert "s2 = 0: with joint 2 locked there, every pose is singular." in re.sub(r"\s+\*?\s*", " ", header)
+    content = json.loads(report_of(arm.robot, schedule, {}, None).text())["singular_poses"]
+    assert content["conditions"][-1] == {
+        "name": "",
+        "zero": ["s2"],
+        "meaning": "with joint 2 locked there, every pose is singular",
     }

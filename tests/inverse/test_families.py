@@ -10,7 +10,7 @@ from kinsym.derivation import derive
 from kinsym.emit.prose.singular import family_conditions
 from kinsym.emit.text.formula import TextPrinter
 from kinsym.inverse.families import Family
-from kinsym.robot import from_inline
+from kinsym.robot import from_inline, load, lock
 from kinsym.robot.model import Task
 from tests.arms import NAMES, derivation, numpy_module
 
@@ -112,3 +112,20 @@ def test_the_generated_solver_moves_along_the_family(name: str, sign: int) -> No
 def test_the_task_of_the_plan_decides() -> None:
     assert derivation("scara").plan.task is Task.SCARA
     assert told("scara") == {}
+
+
+@pytest.mark.parametrize(
+    ("joint", "where"),
+    [
+        ("theta3", {"s4*s3 = 0, p07_x = 0, p07_y = 0": "theta1", "s4*c3 = 0, d5*c4 + d3 = 0": "theta2"}),
+        ("theta2", {"d5*c3*s4*c2 - d5*c4*s2 - s2*d3 = 0, s3*s4 = 0": "theta1"}),
+    ],
+)
+def test_what_has_to_vanish_is_told_and_a_length_never_does(joint: str, where: dict[str, str]) -> None:
+    # theta4 is free where kappa1 = -2*d3*d5 and kappa2 are zero, which two lengths never are
+    found = derive(lock(load("kuka_iiwa"), {joint: None})).families
+    assert {family_conditions(f, WRITE): f.free for f in found if not f.constant} == where
+
+
+def test_what_is_too_long_to_read_keeps_its_name() -> None:
+    assert "mu5^2 + nu6^2 = 0" in told("symbolic_pieper")

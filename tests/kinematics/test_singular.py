@@ -14,14 +14,14 @@ import pytest
 from kinsym.algebra import factors
 from kinsym.algebra.linear import determinant, kernel
 from kinsym.algebra.residues import residue_of
-from kinsym.emit.prose.singular import angles, leading_to
+from kinsym.emit.prose.singular import angles, equations, leading_to, verdict
 from kinsym.emit.text.formula import TextPrinter
-from kinsym.kinematics import singular
-from kinsym.kinematics.chain import build_chain
-from kinsym.kinematics.posture import Posture
-from kinsym.kinematics.singular import SingularSet, singular_set
-from kinsym.kinematics.zeros import postures, somewhere
-from kinsym.robot import from_inline, load
+from kinsym.kinematics.chain import build_chain, chain_to_solve
+from kinsym.kinematics.singular import SingularSet, minors, singular_set
+from kinsym.kinematics.singular.posture import Posture
+from kinsym.kinematics.singular.zeros import postures, somewhere
+from kinsym.robot import from_inline, load, lock
+from kinsym.robot.expressions import parse
 from kinsym.robot.model import Task
 from tests.arms import NAMES, derivation
 
@@ -122,10 +122,10 @@ def test_j_loses_a_motion_on_every_part_of_every_condition_and_nowhere_by_chance
     arm = derivation(name)
     for condition in arm.singular.conditions:
         for zero in condition.zeros:
-            found = postures(arm.chain, zero, 3)
+            found = postures(arm.solved, zero, 3)
             assert found
             for posture in found:
-                assert all(arm.chain.ring.evaluate(poly, posture.values) == 0 for poly in condition.polys)
+                assert all(arm.solved.ring.evaluate(poly, posture.values) == 0 for poly in condition.polys)
                 assert kernel(posture.jacobian(arm.plan.task))
     for posture in somewhere(arm.solved, 3):
         assert not kernel(posture.jacobian(arm.plan.task))
@@ -185,7 +185,7 @@ def test_an_arm_that_moves_without_moving_its_end_has_no_list() -> None:
 
 
 def test_a_determinant_out_of_bounds_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(singular, "WORK", 1)
+    monkeypatch.setattr(minors, "WORK", 1)
     found = singular_set(build_chain(load("ur5")), Task.POSE)
     assert found.conditions == ()
     assert "too many terms" in found.missing
@@ -204,3 +204,65 @@ def test_a_factor_that_is_too_long_is_left_whole_and_the_others_found(monkeypatc
 def test_the_same_set_in_every_convention_and_unit() -> None:
     twins = [derivation(name).singular for name in ("planar_rrr_paul", "planar_rrr_craig", "planar_rrr_screw")]
     assert len({tuple(c.meaning.reason for c in one.conditions) for one in twins}) == 1
+
+
+GIVEN = {
+    ("kuka_iiwa", "theta2"): ("s2", "joint 2", ["theta2 = 0", "theta2 = pi"]),
+    ("kuka_iiwa", "theta6"): ("s6", "joint 6", ["theta6 = 0", "theta6 = pi"]),
+    ("puma560", "theta5"): ("s5", "joint 5", ["theta5 = 0", "theta5 = pi"]),
+    ("elbow_6r_screw", "theta5"): ("c5", "joint 5", ["theta5 = pi/2", "theta5 = -pi/2"]),
+    ("stanford_paul", "d3"): ("d3", "joint 3", ["d3 = 0"]),
+}
+
+
+def locked(name: str, joint: str, value: str | None = None) -> SingularSet:
+    """The singular set of a gallery robot with one joint locked."""
+    return singular_set(chain_to_solve(lock(load(name), {joint: value})), Task.POSE)
+
+
+@pytest.mark.parametrize(("name", "joint"), GIVEN)
+def test_values_of_an_input_at_which_every_pose_is_singular(name: str, joint: str) -> None:
+    factor, who, where = GIVEN[name, joint]
+    (one,) = locked(name, joint).given
+    assert (WRITE(one.values[0]), one.meaning.reason) == (factor, f"with {who} locked there, every pose is singular")
+    assert [f"{WRITE(left)} = {WRITE(right)}" for (part,) in one.zeros for left, _, right in [part.relation]] == where
+    for relation in where:
+        value = parse(relation.partition(" = ")[2], where="test")
+        chain = chain_to_solve(replace(load(name), locks={joint: value}))
+        assert all(kernel(posture.jacobian(Task.POSE)) for posture in somewhere(chain, 2))
+
+
+def test_a_sum_in_an_input_is_told_as_it_is() -> None:
+    # by hand: the triple product of three slides with a locked turn by theta2 and twists of 90, alpha2 and 90 degrees
+    # is sin(phi) cos(alpha2) c2 + cos(phi) s2
+    table = "pi/2 0 d1 0; alpha2 0 0 theta2; pi/2 0 d3 phi; 0 0 d4 0"
+    robot = from_inline(table, convention="paul", name="skew")
+    found = singular_set(chain_to_solve(lock(robot, {"theta2": None})), Task.POSITION)
+    (one,) = found.given
+    assert WRITE(one.values[0]) == WRITE(found.determinant) == "calpha2*sphi*c2 + cphi*s2"
+    assert [part.relation for (part,) in one.zeros] == [None]
+    assert "vanishes" in verdict(found)
+
+
+@pytest.mark.parametrize(("name", "joint", "value"), [("kuka_iiwa", "theta2", "0.4"), ("kuka_iiwa", "theta3", None)])
+def test_no_value_is_told_where_none_is_given_or_none_is_singular(name: str, joint: str, value: str | None) -> None:
+    found = locked(name, joint, value)
+    assert found.given == ()
+    assert found.listed == found.conditions
+
+
+def test_axes_have_the_numbers_of_the_table_also_next_to_a_locked_joint() -> None:
+    # by hand: axes 5, 6 and 7 meet in the wrist, and s4 = 0 puts the shoulder on the forearm's axis 5
+    found = {WRITE(c.values[0]): c.meaning for c in locked("kuka_iiwa", "theta3").conditions}
+    assert found["s6"].reason == "axes 5 and 7 coincide"
+    assert found["s4"].reason == "the point where axes 1 and 2 meet lies on axis 5"
+
+
+def test_two_conditions_that_hold_for_one_value_of_an_angle_name_the_value() -> None:
+    # by hand: axis 5 through the shoulder, a4 before or behind it; c2 = c23 = 0 is part of s3 = 0
+    found = locked("elbow_6r_screw", "theta6")
+    assert [list(equations(c, WRITE)) for c in found.conditions] == [
+        [("s3", "0")],
+        [("theta234", "0"), ("a2*c2 + a3*c23 + a4", "0")],
+        [("theta234", "pi"), ("a2*c2 + a3*c23 - a4", "0")],
+    ]

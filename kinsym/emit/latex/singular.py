@@ -22,7 +22,7 @@ from kinsym.emit.prose.singular import (
     shown,
     verdict,
 )
-from kinsym.kinematics.conditions import Condition
+from kinsym.kinematics.singular import Condition
 
 _LETTERS = {"det J": r"\det J", "J": "J", "w": "w"}
 
@@ -64,7 +64,7 @@ def singular_section(formulas: Formulas) -> SingularSection:
         introduction=_in_math(introduction(singular)),
         determinant=aligned([product]) if shown(singular) else (),
         verdict=_in_math(verdict(singular)),
-        conditions=tuple(_named(condition, formulas) for condition in singular.conditions),
+        conditions=tuple(_named(condition, formulas) for condition in singular.listed),
         remainder=remainder(singular),
         heading=FAMILIES,
         families=tuple(

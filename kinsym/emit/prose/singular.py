@@ -6,8 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from kinsym.algebra.tree import Tree
 from kinsym.inverse.families import Family
-from kinsym.kinematics.conditions import Condition
-from kinsym.kinematics.singular import SingularSet
+from kinsym.kinematics.singular import Condition, SingularSet
 from kinsym.robot.model import Task
 
 Write = Callable[[Tree], str]
@@ -29,7 +28,7 @@ _ROWS = {
 
 def shown(singular: SingularSet) -> bool:
     """Whether det J is printed as a product: it is known, and none of its factors is too long to be read."""
-    return singular.square and all(len(poly) <= LONGEST for one in singular.conditions for poly in one.polys)
+    return singular.square and all(len(poly) <= LONGEST for one in singular.listed for poly in one.polys)
 
 
 def introduction(singular: SingularSet) -> str:
@@ -47,7 +46,7 @@ def verdict(singular: SingularSet) -> str:
     subject = "Its rank falls" if not singular.square else "It vanishes" if shown(singular) else "det J vanishes"
     if singular.missing:
         return ""
-    if not singular.conditions:
+    if not singular.listed:
         if not singular.exhaustive:
             return "Its rank falls only where several expressions vanish at once."
         constant = "It is never zero" if singular.square else "Its rank is full everywhere"
@@ -77,8 +76,16 @@ def heading(condition: Condition) -> str:
 
 
 def equations(condition: Condition, write: Write, told: Callable[[str], str] = str) -> Iterator[tuple[str, str]]:
-    """Left and right side of what must hold; ``told`` sets words among formulas."""
-    for poly, value in zip(condition.polys, condition.values, strict=True):
+    """Left and right side of what must hold; ``told`` sets words among formulas.
+
+    Of two expressions that count in one of their zeros only the joint value is what must hold.
+    """
+    doubled = len(condition.values) > 1
+    for part, value in zip(condition.zeros[0], condition.values, strict=True):
+        if doubled and not condition.whole and part.relation:
+            yield write(part.relation[0]), write(part.relation[2])
+            continue
+        poly = part.poly
         long = len(poly) > LONGEST
         yield told(f"a factor of {len(poly)} terms") if long else write(value), "0"
 

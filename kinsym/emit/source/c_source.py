@@ -138,7 +138,7 @@ def _heads(schedule: Schedule, twins: bool) -> dict[str, Any]:
     """The functions as they are declared."""
     name, joints = schedule.name, f"{schedule.name.upper()}_JOINTS"
     vector, parameters, solutions = f"const double q[{joints}]", f"const {name}_params *p", f"double q[][{joints}]"
-    ending = f"{name}_mark marks[], int doubtful[], unsigned twin, " if twins else ""
+    ending = f"{name}_mark marks[], double alike[], unsigned twin, " if twins else ""
     size = ", double size" if gate_entries(schedule.task).position else ""
     pose, slopes = f"{parameters}, const double M[12], double size", f"D[ENTRIES][{joints}]"
     sliding = ", double size" if any(joint.kind == "P" for joint in schedule.joints) else ""
@@ -162,7 +162,7 @@ def _heads(schedule: Schedule, twins: bool) -> dict[str, Any]:
         "polish": f"static double polish(double q[{joints}], {pose})",
         "settle": f"static int settle({solutions}, {ending}int mark, {parameters}, const double M[12], "
         "double tau, double size)",
-        "tidied": f"static int tidied({solutions}, {name}_mark marks[], const int doubtful[], int count{sliding})",
+        "tidied": f"static int tidied({solutions}, {name}_mark marks[], const double alike[], int count{sliding})",
         "hold": f"static void hold(const {name}_params *p, double q[{joints}])",
         "constant_motions": f"static {returned} constant_motions(const {name}_params *p, rigid_motion out[7])",
         "reaches": f"static int reaches({vector}, {parameters}, const double M[12], double tau{size})",

@@ -18,8 +18,8 @@ def singular_lines(schedule: Schedule) -> list[str]:
         return []
     write = TextPrinter(ascii=True)
     singular, families = schedule.singular.set, schedule.singular.families
-    lines = ["Singular poses:"] if singular.conditions else []
-    for condition in singular.conditions:
+    lines = ["Singular poses:"] if singular.listed else []
+    for condition in singular.listed:
         zero = " and ".join(f"{left} = {right}" for left, right in equations(condition, write))
         lines += _item(f"{zero}: {_lower(heading(condition))}.")
     for sentence in remainder(singular):

@@ -19,8 +19,7 @@ from kinsym.emit.prose.singular import (
 )
 from kinsym.emit.text.page import Page
 from kinsym.inverse.families import Family
-from kinsym.kinematics.conditions import Condition
-from kinsym.kinematics.singular import SingularSet
+from kinsym.kinematics.singular import Condition, SingularSet
 
 #: What stands beside the left side of an equation that is zero.
 _BESIDE = 10
@@ -34,7 +33,7 @@ def singular_poses(singular: SingularSet, families: Sequence[Family], page: Page
         lines.append(page.equation("det J", singular.determinant))
     lines.append(page.prose(verdict(singular)) if verdict(singular) else "")
     parts = ["\n".join(filter(None, lines))]
-    parts += ["\n".join(_condition(condition, page)) for condition in singular.conditions]
+    parts += ["\n".join(_condition(condition, page)) for condition in singular.listed]
     parts += [page.prose(sentence) for sentence in remainder(singular)]
     if families:
         parts.append("\n".join([page.prose(FAMILIES), *(line for one in families for line in _family(one, page))]))

@@ -16,12 +16,13 @@ from kinsym.algebra.roots import roots
 from kinsym.algebra.tree import ZERO, Num, Pi, Sym, Tree, mul
 from kinsym.kinematics.angles import Angle
 from kinsym.kinematics.chain import Chain
-from kinsym.kinematics.posture import Posture, posture
-from kinsym.kinematics.trees import Edges, path, spanning_trees
+from kinsym.kinematics.singular.angle_sums import Edges, path, spanning_trees
+from kinsym.kinematics.singular.posture import Posture, posture
 
 #: About every second try has a root in the field.
 TRIES = 40
-_QUARTERS: tuple[Point, ...] = ((1, 0), (0, 1), (PRIME - 1, 0), (0, PRIME - 1))
+#: Cosine and sine of 0, pi/2, pi and -pi/2.
+QUARTERS: tuple[Point, ...] = ((1, 0), (0, 1), (PRIME - 1, 0), (0, PRIME - 1))
 
 
 @dataclass(frozen=True)
@@ -111,7 +112,7 @@ def _solved(
         if part.variable in values:
             values[part.variable] = 0
         else:
-            points[_edges(chain, part.poly, points)[0]] = _QUARTERS[part.quarters]
+            points[_edges(chain, part.poly, points)[0]] = QUARTERS[part.quarters]
     for edge, (c, s) in points.items():
         values[angles[edge].cosine], values[angles[edge].sine] = c, s
     for part in zero[len(given) :]:

@@ -8,21 +8,24 @@ shorter, and its factors are looked at in turn.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 from kinsym.algebra.factors import Factored, factored
 from kinsym.algebra.ring import Poly
 from kinsym.kinematics.chain import Chain
-from kinsym.kinematics.conditions import POSTURES, Arm, Condition, condition
-from kinsym.kinematics.trees import rewritten, spanning_trees
-from kinsym.kinematics.zeros import Part, Zero, parts, postures
+from kinsym.kinematics.singular.angle_sums import rewritten, spanning_trees
+from kinsym.kinematics.singular.conditions import POSTURES, Arm, Condition, condition
+from kinsym.kinematics.singular.zeros import Part, Zero, parts, postures
 
 _TURNS = ((1, 0), (0, 1), (-1, 0), (0, -1))
 
 
-def corners(arm: Arm, lost: list[Poly], kept: set[Poly], minors: Iterable[Factored]) -> tuple[list[Condition], bool]:
+def double_conditions(
+    arm: Arm, lost: list[Poly], single: list[Condition], minors: Iterable[Factored]
+) -> tuple[list[Condition], bool]:
     """The conditions on the zeros of the factors ``lost``, and whether there are no others.
 
-    ``kept`` are the factors that are conditions themselves, ``minors`` the other largest minors.
+    ``single`` are the conditions that stand alone, ``minors`` the other largest minors.
     """
     chain, minors = arm.chain, list(minors)
     sets: dict[tuple[Poly, Poly], list[Zero]] = {}
@@ -32,15 +35,15 @@ def corners(arm: Arm, lost: list[Poly], kept: set[Poly], minors: Iterable[Factor
             factors = _second(chain, part, minors) if part.variable else None
             exhaustive &= factors is not None
             for factor in factors or []:
-                if factor not in kept:
-                    zeros = sets.setdefault((poly, factor), [])
-                    zeros += [(part, other) for other in parts(chain, factor)]
+                zeros = sets.setdefault((poly, factor), [])
+                zeros += [(part, other) for other in parts(chain, factor)]
     found: list[Condition] = []
-    for zeros in sets.values():
+    for (first, second), zeros in sets.items():
         one = condition(arm, zeros)
         exhaustive &= one is not None and one.whole
-        if one is not None and not any(_covers(arm, other, one) for other in found):
-            found.append(one)
+        if one is not None and not any(_covers(arm, other, one) for other in (*single, *found)):
+            everywhere = len(one.zeros) == len(parts(chain, first)) * len(parts(chain, second))
+            found += [one] if everywhere else [replace(one, zeros=(zero,), whole=False) for zero in one.zeros]
     return found, exhaustive
 
 

@@ -10,9 +10,9 @@ from kinsym.algebra.nested import nested
 from kinsym.algebra.ring import Poly
 from kinsym.algebra.tree import Tree
 from kinsym.kinematics.chain import Chain
-from kinsym.kinematics.landmarks import Meaning, meaning
-from kinsym.kinematics.posture import Posture
-from kinsym.kinematics.zeros import Zero, postures, somewhere
+from kinsym.kinematics.singular.meaning import Meaning, meaning
+from kinsym.kinematics.singular.posture import Posture
+from kinsym.kinematics.singular.zeros import Zero, postures, somewhere
 from kinsym.robot.model import Task
 
 #: How many postures of a set are looked at.
@@ -41,7 +41,8 @@ class Condition:
     """A factor of det J: the arm is singular where it is zero; or two expressions that have to be zero at once.
 
     ``polys`` and, as they are printed, ``values`` must vanish. ``zeros`` are the parts of that set, two angles where a
-    factor is one cosine or sine; ``whole`` tells that these are all of it. ``power`` is how often the factor occurs.
+    factor is one cosine or sine; ``whole`` tells that the arm is singular wherever ``polys`` vanish, not on these parts
+    alone. ``power`` is how often the factor occurs.
     """
 
     polys: tuple[Poly, ...]

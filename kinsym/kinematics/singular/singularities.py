@@ -9,29 +9,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from fractions import Fraction
-from itertools import combinations
 
-from kinsym.algebra.determinant import Rows, block_determinants, expansion
-from kinsym.algebra.factors import Factored, factored
+from kinsym.algebra.factors import Factored
 from kinsym.algebra.field import PRIME
 from kinsym.algebra.linear import determinant
 from kinsym.algebra.nested import nested
-from kinsym.algebra.ring import Kind, Poly, fraction
 from kinsym.algebra.tree import Pow, Tree, mul
 from kinsym.kinematics.chain import Chain
-from kinsym.kinematics.conditions import Arm, Condition, condition
-from kinsym.kinematics.corners import corners
-from kinsym.kinematics.posture import Posture
-from kinsym.kinematics.screws import View, columns, views
-from kinsym.kinematics.trees import shortest
-from kinsym.kinematics.zeros import parts
+from kinsym.kinematics.singular.conditions import Arm, Condition, condition
+from kinsym.kinematics.singular.double_conditions import double_conditions
+from kinsym.kinematics.singular.given import given_conditions
+from kinsym.kinematics.singular.minors import largest_minors, sparsest_jacobian
+from kinsym.kinematics.singular.posture import Posture
+from kinsym.kinematics.singular.zeros import parts
 from kinsym.robot.model import Task
-
-#: Views of the chain that are tried: those in which its axes and points are shortest.
-VIEWS = 2
-#: A determinant whose expansion has more terms is not computed: its time would not be bounded.
-WORK = 4000
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,6 +34,8 @@ class SingularSet:
     for more than the joints can move, and the conditions are where the rank of J falls.
     ``exhaustive`` tells that there is no singular posture without one of the conditions, ``split`` that no factor can
     be split further. Without conditions ``missing`` says why none is known; it is empty where the arm has none.
+    ``given`` are factors of ``constant`` that depend on locked joints alone: where one is zero every posture is
+    singular.
     """
 
     task: Task
@@ -52,6 +45,12 @@ class SingularSet:
     exhaustive: bool
     split: bool
     missing: str = ""
+    given: tuple[Condition, ...] = ()
+
+    @property
+    def listed(self) -> tuple[Condition, ...]:
+        """The conditions on the joints that move, then those on the values of locked ones."""
+        return *self.conditions, *self.given
 
     @property
     def determinant(self) -> Tree:
@@ -77,9 +76,9 @@ def singular_set(chain: Chain, task: Task) -> SingularSet:
     if arm.loses(ordinary):
         return _unknown(chain, task, "the joints can move without moving the end effector, at every posture")
     base = [row for row in ordinary.jacobian(task) if any(row)]
-    rows = min(_matrices(chain, task), key=lambda rows: (len(rows), _work(rows)))
+    rows = sparsest_jacobian(chain, task)
     square = len(rows) == len(rows[0]) and (task is Task.POSITION_AXIS or len(base) == len(rows))
-    minors = _products(chain, rows)
+    minors = largest_minors(chain, rows)
     product = next(minors, None)
     if product is None:
         return _unknown(chain, task, "the determinant of the Jacobian has too many terms to look for factors")
@@ -89,14 +88,15 @@ def singular_set(chain: Chain, task: Task) -> SingularSet:
     found = list(_conditions(arm, product))
     kept = {poly for one in found for poly in one.polys}
     lost = [poly for poly, _ in product.factors if poly not in kept]
-    at_corners, exhaustive = corners(arm, lost, kept, minors) if lost else ([], True)
+    doubled, exhaustive = double_conditions(arm, lost, found, minors) if lost else ([], True)
     return SingularSet(
         task=task,
         square=square and not lost,
         constant=nested(ring, constant),
-        conditions=(*found, *at_corners),
+        conditions=(*found, *doubled),
         exhaustive=exhaustive and all(one.whole for one in found),
         split=product.complete,
+        given=tuple(given_conditions(arm, product.fixed, square=square and not lost)),
     )
 
 
@@ -107,52 +107,12 @@ def _unknown(chain: Chain, task: Task, reason: str) -> SingularSet:
     )
 
 
-def _matrices(chain: Chain, task: Task) -> Iterator[Rows]:
-    """The Jacobian of the task in several frames, rows of zeros left out."""
-    for view in sorted(views(chain), key=lambda view: view.terms)[:VIEWS]:
-        points = [view.end] if task in (Task.POSITION, Task.POSITION_AXIS) else view.points
-        for point in points:
-            yield _rows(chain, task, view, point)
-
-
-def _rows(chain: Chain, task: Task, view: View, point: tuple[Poly, Poly, Poly]) -> Rows:
-    ring = chain.ring
-    found = columns(ring, view.screws, point)
-    if task is Task.POSITION_AXIS:
-        found.append((ring.zero, ring.zero, ring.zero, *view.approach))
-    rows = [list(row) for row in zip(*found, strict=True)]
-    if task is Task.POSITION:
-        rows = rows[:3]
-    if task is Task.ORIENTATION:
-        rows = rows[3:]
-    return [row for row in rows if any(row)]
-
-
-def _work(rows: Rows) -> int:
-    """The number of terms of the shortest largest minor that has any."""
-    count = len(rows[0])
-    return min(filter(None, (expansion(list(chosen)) for chosen in combinations(rows, count))), default=0)
-
-
-def _products(chain: Chain, rows: Rows) -> Iterator[Factored]:
-    """The factors of every largest minor that is not zero, short ones first, as far as their work is bounded."""
-    minors = sorted((list(chosen) for chosen in combinations(rows, len(rows[0]))), key=expansion)
-    for minor in minors:
-        if expansion(minor) <= WORK and all(blocks := block_determinants(chain.ring, minor)):
-            yield _written(chain, blocks)
-
-
 def _conditions(arm: Arm, product: Factored) -> Iterator[Condition]:
     """The factors at whose zeros the rank of J falls, short ones first."""
     for poly, power in product.factors:
         found = condition(arm, [(part,) for part in parts(arm.chain, poly)])
         if found is not None:
             yield replace(found, power=power)
-
-
-def _order(chain: Chain, poly: Poly) -> list[int]:
-    """Later joints first, as a wrist stands before an elbow."""
-    return [-chain.ring.index[name] for name in chain.ring.used(poly)]
 
 
 def _sign(base: int, value: int) -> int:
@@ -168,42 +128,3 @@ def _value(chain: Chain, product: Factored, posture: Posture) -> int:
     for poly, power in product.factors:
         value = value * pow(chain.ring.evaluate(poly, posture.values), power, PRIME) % PRIME
     return value
-
-
-def _written(chain: Chain, blocks: list[Poly]) -> Factored:
-    """The factors of a product in the sums of angles that make them short, the shortest factor first."""
-    product = _in_lengths(chain, factored(chain.ring, [shortest(chain, block) for block in blocks]))
-    factors = [(shortest(chain, poly), power) for poly, power in product.factors]
-    factors.sort(key=lambda factor: (len(factor[0]), _order(chain, factor[0])))
-    return replace(product, factors=tuple(factors))
-
-
-def _in_lengths(chain: Chain, product: Factored) -> Factored:
-    """The factors in cosines and sines alone with the lengths of the table as coefficients."""
-    lengths = {
-        abs(fraction(entry.LC))
-        for joint in chain.joints
-        for entry in joint.after.translation
-        if entry and entry.is_ground
-    }
-    ring = chain.ring
-    constant, factors = product.constant, []
-    for poly, power in product.factors:
-        numbers = [abs(fraction(value)) for value in poly.itercoeffs()]
-        plain = all(ring.generators[ring.index[name]].kind in (Kind.COSINE, Kind.SINE) for name in ring.used(poly))
-        scale = _scale(numbers, lengths) if plain and len(poly) > 1 else Fraction(1)
-        factors.append((poly * ring.number(scale), power))
-        constant = constant * ring.number((1 / scale) ** power)
-    return replace(product, constant=constant, factors=tuple(factors))
-
-
-def _scale(coefficients: list[Fraction], lengths: set[Fraction]) -> Fraction:
-    """The factor that makes the most coefficients lengths of the table; 1 if that is fewer than two."""
-    best, most = Fraction(1), 1
-    for length in sorted(lengths):
-        for coefficient in coefficients:
-            scale = length / coefficient
-            count = sum(value * scale in lengths for value in coefficients)
-            if count > most:
-                best, most = scale, count
-    return best

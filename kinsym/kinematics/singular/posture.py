@@ -24,7 +24,7 @@ _ANGULAR = (3, 4, 5)
 class Posture:
     """Directions ``axes`` and ``points`` of the joints in the base frame, the end effector's point and axes.
 
-    ``values`` are the generators at this posture.
+    ``values`` are the generators at this posture, ``numbers`` the places of the joints in the table, from 1.
     """
 
     values: Mapping[str, int]
@@ -33,6 +33,7 @@ class Posture:
     points: tuple[Numbers, ...]
     end: Numbers
     turned: Matrix
+    numbers: tuple[int, ...]
 
     @property
     def approach(self) -> Numbers:
@@ -69,7 +70,7 @@ def posture(chain: Chain, values: Mapping[str, int]) -> Posture:
         point = _plus(point, _apply(turned, step))
         turned = _product(turned, after)
     kinds = tuple(joint.kind for joint in chain.joints)
-    return Posture(values, kinds, tuple(axes), tuple(points), point, turned)
+    return Posture(values, kinds, tuple(axes), tuple(points), point, turned, chain.numbers)
 
 
 def _motion(chain: Chain, joint: Motion, values: Mapping[str, int]) -> tuple[Matrix, Numbers]:

@@ -6,14 +6,14 @@ random postures of the arm, all modulo the prime; the first of the list that fit
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import combinations
 
 from kinsym.algebra.field import PRIME, inverse
 from kinsym.algebra.linear import Numbers, cross, difference, dot, kernel
-from kinsym.kinematics.posture import Posture
+from kinsym.kinematics.singular.posture import Posture
 from kinsym.robot.model import Task
 
 WRIST, ELBOW, SHOULDER = "wrist", "elbow", "shoulder"
@@ -55,6 +55,7 @@ def meaning(task: Task, singular: list[Posture], ordinary: list[Posture]) -> Mea
 
 def _properties(task: Task, ordinary: Posture) -> Iterator[_Property]:
     turning = [joint for joint, kind in enumerate(ordinary.kinds) if kind == "R"]
+    listed = partial(_listed, ordinary)
     places = list(_places(task, ordinary))
     pairs = list(combinations(turning, 2))
     always_parallel = [pair for pair in pairs if _parallel(ordinary, *pair)]
@@ -62,7 +63,7 @@ def _properties(task: Task, ordinary: Posture) -> Iterator[_Property]:
     for place in places:
         for joint in turning:
             if joint not in place.joints:
-                yield _on_axis(place, joint, turning)
+                yield _on_axis(ordinary, place, joint, turning)
     yield from _in_one_plane(ordinary, always_parallel, places)
     planes = [
         (place, i, j)
@@ -82,12 +83,12 @@ def _properties(task: Task, ordinary: Posture) -> Iterator[_Property]:
     for place in places:
         others = [joint for joint in range(len(ordinary.kinds)) if joint not in place.joints]
         if len(place.joints) == len(others) == _DIRECTIONS:
-            words = f"joints {_listed(others)} move {place.words} in fewer than 3 ways"
+            words = f"joints {listed(others)} move {place.words} in fewer than 3 ways"
             yield Meaning("", words), partial(_slow, place=place, joints=others)
     for i, j in pairs:
-        yield Meaning("", f"axes {i + 1} and {j + 1} meet"), partial(_meet, i=i, j=j)
+        yield Meaning("", f"axes {listed((i, j))} meet"), partial(_meet, i=i, j=j)
     for triple in combinations(turning, 3):
-        words = f"axes {_listed(triple)} are parallel to one plane"
+        words = f"axes {listed(triple)} are parallel to one plane"
         yield Meaning("", words), partial(_flat, joints=triple)
 
 
@@ -102,7 +103,7 @@ def _places(task: Task, ordinary: Posture) -> Iterator[_Place]:
             point = _crossing(ordinary, *joints[:2])
             if count == 3 and (point is None or any(_lever(ordinary, joints[2], point))):
                 continue
-            words = f"the point where axes {_listed(joints)} meet"
+            words = f"the point where axes {_listed(ordinary, joints)} meet"
             if count == 3 and joints[-1] == last and last > 2:
                 words = "the wrist centre"
             yield _Place(words, joints, partial(_meeting_point, first=first))
@@ -118,15 +119,15 @@ def _meeting(ordinary: Posture, turning: list[int]) -> Iterator[_Property]:
         if point is None or any(_lever(ordinary, i + 2, point)):
             continue
         name = WRIST if i + 2 == turning[-1] else SHOULDER if i == turning[0] else ""
-        coincide = Meaning(name, f"axes {i + 1} and {i + 3} coincide")
+        coincide = Meaning(name, f"axes {_listed(ordinary, (i, i + 2))} coincide")
         yield coincide, partial(_parallel, i=i, j=i + 2)
-        plane = Meaning(name, f"axes {_listed(triple)} lie in one plane")
+        plane = Meaning(name, f"axes {_listed(ordinary, triple)} lie in one plane")
         yield plane, partial(_flat, joints=triple)
 
 
-def _on_axis(place: _Place, joint: int, turning: list[int]) -> _Property:
+def _on_axis(ordinary: Posture, place: _Place, joint: int, turning: list[int]) -> _Property:
     name = SHOULDER if joint == turning[0] else ""
-    words = f"{place.words} lies on axis {joint + 1}"
+    words = f"{place.words} lies on axis {ordinary.numbers[joint]}"
     return Meaning(name, words), lambda p: not any(_lever(p, joint, place.at(p)))
 
 
@@ -137,11 +138,11 @@ def _in_one_plane(
     in_line = "the arm is stretched or folded"
     for i, j, k in combinations(range(len(ordinary.kinds)), 3):
         if {(i, j), (j, k)} <= set(always_parallel):
-            words = f"axes {_listed((i, j, k))} lie in one plane: {in_line}"
+            words = f"axes {_listed(ordinary, (i, j, k))} lie in one plane: {in_line}"
             yield Meaning(ELBOW, words), partial(_coplanar, i=i, j=j, k=k)
     for place in places:
         for i, j in always_parallel:
-            words = f"axes {i + 1} and {j + 1} and {place.words} lie in one plane: {in_line}"
+            words = f"axes {_listed(ordinary, (i, j))} and {place.words} lie in one plane: {in_line}"
             yield Meaning(ELBOW, words), partial(_coplanar, i=i, j=j, k=place)
 
 
@@ -153,17 +154,17 @@ def _become_parallel(ordinary: Posture, turning: list[int], i: int, j: int) -> I
         return
     name = WRIST if j == turning[-1] and len(turning) > 3 else ""
     if len(left) == len(right) == 1:
-        words = f"axes {i + 1} and {j + 1} are parallel"
+        words = f"axes {_listed(ordinary, (i, j))} are parallel"
     else:
         one, many = (left, right) if len(left) == 1 else (right, left)
-        words = f"{_axes(one)} {'is' if len(one) == 1 else 'are'} parallel to {_axes(many)}"
+        words = f"{_axes(ordinary, one)} {'is' if len(one) == 1 else 'are'} parallel to {_axes(ordinary, many)}"
     yield Meaning(name, words), lambda p: _parallel(p, i, j)
 
 
 def _in_plane_of(ordinary: Posture, place: _Place, i: int, j: int, turning: list[int]) -> _Property:
-    plane = f"of axes {i + 1} and {j + 1}"
+    plane = f"of axes {_listed(ordinary, (i, j))}"
     if not _meet(ordinary, i, j):
-        plane = f"through axis {i + 1} parallel to axis {j + 1}"
+        plane = f"through axis {ordinary.numbers[i]} parallel to axis {ordinary.numbers[j]}"
     name = SHOULDER if i == turning[0] else ""
     return Meaning(
         name, f"{place.words} lies in the plane {plane}"
@@ -178,20 +179,20 @@ def _dependent(task: Task, singular: list[Posture]) -> str:
             moving |= {joint for joint, value in enumerate(vector) if value}
     moved = _MOVED.get(task, "the end effector")
     if len(moving) == 1:
-        return f"joint {min(moving) + 1} does not move {moved}"
+        return f"joint {_listed(singular[0], sorted(moving))} does not move {moved}"
     if len(moving) == len(singular[0].kinds):
         return ""
-    return f"joints {_listed(sorted(moving))} move {moved} in fewer than {len(moving)} ways"
+    return f"joints {_listed(singular[0], sorted(moving))} move {moved} in fewer than {len(moving)} ways"
 
 
-def _listed(joints: tuple[int, ...] | list[int]) -> str:
-    """Numbers of joints: 4, 5 and 6."""
-    numbers = [str(joint + 1) for joint in joints]
+def _listed(posture: Posture, joints: Sequence[int]) -> str:
+    """Numbers of joints in the table: 4, 5 and 6."""
+    numbers = [str(posture.numbers[joint]) for joint in joints]
     return f"{', '.join(numbers[:-1])} and {numbers[-1]}" if len(numbers) > 1 else numbers[0]
 
 
-def _axes(joints: list[int]) -> str:
-    return f"{'axis' if len(joints) == 1 else 'axes'} {_listed(joints)}"
+def _axes(posture: Posture, joints: list[int]) -> str:
+    return f"{'axis' if len(joints) == 1 else 'axes'} {_listed(posture, joints)}"
 
 
 def _parallel(posture: Posture, i: int, j: int) -> bool:
