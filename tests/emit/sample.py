@@ -143,6 +143,7 @@ def _derivation(
         forward=SimpleNamespace(links=links, pose=pose),
         jacobian=jacobian,
         plan=plan,
+        general=None,
         constants=(),
     )
 
