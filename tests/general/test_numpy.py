@@ -41,7 +41,7 @@ def test_no_other_way_round_the_loop_finds_more(name: str) -> None:
     solver = module(name)
     poses = solver.fk(joint_vectors(solver, 40, seed=4))
     best = solver.ik_batch(poses)[0]
-    for first, second in zip(others[::2], others[1::2], strict=False):
+    for first, second in zip(others[::5], others[1::5], strict=False):
         other = run(build_schedule(replace(derivation, general=replace(plan, cuts=(first, second)))))
         found, valid = other.ik_batch(poses)
         for column in range(found.shape[1]):
