@@ -16,7 +16,7 @@ from kinsym.check.evaluate import exact
 from kinsym.check.laws import CLOSURE, PATH, Judge
 from kinsym.check.marks import Mark
 from kinsym.check.poses import Counts, generator, samples
-from kinsym.check.settle import Goal, Settler, Solution
+from kinsym.check.settle import ALIKE, MOVED, Goal, Settler, Solution
 from kinsym.check.singular import volume_of
 from kinsym.check.solvers import CSolver, ExactSolver, TreeKinematics
 from kinsym.check.task import sifted, task_jacobian
