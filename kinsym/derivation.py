@@ -8,6 +8,10 @@ from functools import cached_property
 from kinsym.algebra.convert import tree_of
 from kinsym.algebra.tree import Definition
 from kinsym.deadline import Deadline
+from kinsym.errors import NoClosedForm
+from kinsym.general.calibrate import calibrated
+from kinsym.general.plan import GeneralPlan
+from kinsym.general.select import general_plan
 from kinsym.inverse.assemble import arm_size
 from kinsym.inverse.families import Family, families
 from kinsym.inverse.locks import check_redundancy
@@ -27,7 +31,7 @@ class Derivation:
     """A robot with its kinematics; ``robot.task`` is the task that was solved.
 
     ``chain`` has every joint, ``solved`` those that no lock holds: forward kinematics and Jacobian are of the one, the
-    plan is of the other.
+    plan is of the other. Exactly one of ``plan`` (closed form) and ``general`` (one angle from a polynomial) is there.
     """
 
     robot: Robot
@@ -35,7 +39,8 @@ class Derivation:
     solved: Chain
     forward: Forward
     jacobian: Jacobian
-    plan: Plan
+    plan: Plan | None
+    general: GeneralPlan | None
 
     @property
     def constants(self) -> tuple[Definition, ...]:
@@ -61,20 +66,21 @@ class Derivation:
     @cached_property
     def singular(self) -> SingularSet:
         """Where the arm is singular: det J in factors, and what each of them means."""
-        return singular_set(self.solved, self.plan.task)
+        return singular_set(self.solved, self.robot.task or Task.POSE)
 
     @cached_property
     def families(self) -> tuple[Family, ...]:
-        """Where a joint is free, what follows it and what stays constant."""
-        return families(self.solved, self.singular, self.plan)
+        """Where a step of the closed form leaves a joint free, what follows it and what stays constant."""
+        return families(self.solved, self.singular, self.plan) if self.plan else ()
 
 
 def derive(robot: Robot, *, task: Task | None = None, deadline: float | None = None) -> Derivation:
     """Derive forward kinematics, Jacobian and inverse kinematics of a robot.
 
     ``deadline`` is the time in seconds that it may take (default: no limit). Raises
-    :class:`kinsym.errors.NoClosedForm` where no rule applies, and where the arm has more joints than the task can tell,
-    with the joints to lock; :class:`kinsym.errors.DeadlineExceeded` when the time is over.
+    :class:`kinsym.errors.NoClosedForm` where no rule applies and the general solver does not either, and where the arm
+    has more joints than the task can tell, with the joints to lock; :class:`kinsym.errors.DeadlineExceeded` when the
+    time is over.
 
     >>> from kinsym.robot import load
     >>> derive(load("puma560")).plan.maximum
@@ -88,8 +94,29 @@ def derive(robot: Robot, *, task: Task | None = None, deadline: float | None = N
     chosen = task or robot.task or fitting_task(chain, solved)
     robot = replace(robot, task=chosen)
     check_redundancy(robot, solved, limit)
-    plan = replace(derive_plan(solved, chosen, limit), size=arm_size(chain))
-    return Derivation(robot=robot, chain=chain, solved=solved, forward=forward, jacobian=jacobian, plan=plan)
+    derivation = Derivation(
+        robot=robot, chain=chain, solved=solved, forward=forward, jacobian=jacobian, plan=None, general=None
+    )
+    try:
+        plan = derive_plan(solved, chosen, limit)
+    except NoClosedForm as refusal:
+        general = _general(derivation, refusal, limit)
+        if general is None:
+            raise
+        return replace(derivation, general=general)
+    return replace(derivation, plan=replace(plan, size=arm_size(chain)))
+
+
+def _general(derivation: Derivation, refusal: NoClosedForm, deadline: Deadline) -> GeneralPlan | None:
+    """The general solver with its best ways round the loop; None where no way finds the solutions of every pose."""
+    from kinsym.emit.program import build_schedule
+
+    task = derivation.robot.task or Task.POSE
+    general = general_plan(derivation.solved, task, str(refusal), deadline)
+    if general is None:
+        return None
+    general = replace(general, size=arm_size(derivation.chain))
+    return calibrated(build_schedule(replace(derivation, general=general)), deadline)
 
 
 def _definitions(chain: Chain) -> tuple[Definition, ...]:

@@ -102,14 +102,15 @@ class Judge:
             same[rows] = np.all(fine[rows] | self.joined(a[rows], b[rows], poses[rows]), axis=-1)
         sets: Mask = same.copy()
         for row in np.flatnonzero(~same):
-            sets[row] = self._covers(a[row], b[row], poses[row]) and self._covers(b[row], a[row], poses[row])
+            sets[row] = self.covers(a[row], b[row], poses[row]) and self.covers(b[row], a[row], poses[row])
         return same, sets
 
     @property
     def _reach(self) -> float:
         return max(self.kinematics.size, 1e-300) if self.kinematics.size > 0 else 1.0
 
-    def _covers(self, some: Floats, all_: Floats, pose: Floats) -> bool:
+    def covers(self, some: Floats, all_: Floats, pose: Floats) -> bool:
+        """Whether each solution of one answer (k, n) is, or is joined to, one of another answer (l, n)."""
         some = some[~np.isnan(some).any(axis=-1)]
         if not len(some):
             return True

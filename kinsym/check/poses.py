@@ -50,12 +50,13 @@ class Samples:
 
 @dataclass(frozen=True, kw_only=True)
 class Counts:
-    """How many samples of each kind one choice of parameters gets."""
+    """How many samples of each kind one choice of parameters gets, and how many of them the exact walk sees."""
 
     uniform: int
     quarter: int
     singular: int
     pair: int
+    exact: int = 66
 
 
 def generator(digest: str, draw: int) -> np.random.Generator:

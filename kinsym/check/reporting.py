@@ -38,7 +38,7 @@ def report_of(robot: Robot, schedule: Schedule, sources: Mapping[str, str], find
         singular=singular_figures(schedule),
         operations={
             "forward": asdict(line_operations(schedule, schedule.forward)),
-            "inverse": asdict(inverse_operations(schedule)),
+            **({} if schedule.general else {"inverse": asdict(inverse_operations(schedule))}),
             "jacobian": asdict(line_operations(schedule, schedule.jacobian)),
         },
         checks=findings.checks if findings else (),

@@ -15,11 +15,13 @@ from typing import Any, NamedTuple
 
 from kinsym.algebra.tree import Sym
 from kinsym.check.evaluate import Compiled, Environment, Program, compiled, exact
+from kinsym.check.general import GeneralOracle
 from kinsym.check.kernels import KERNELS
 from kinsym.check.marks import NONE, Mark
 from kinsym.check.settle import ALIKE, ON_THE_POSE, Goal, Settler, Solution
 from kinsym.check.task import ENTRIES, POSITION
 from kinsym.emit.schedule import Assign, Note, Schedule, Solve
+from kinsym.general.plan import GeneralPlan
 from kinsym.inverse.plan import Step
 
 Value = Any
@@ -100,6 +102,8 @@ class ExactWalk:
             wrap=numbers.functions["wrap"],
             locked=schedule.locked,
         )
+        self._numbers = numbers
+        self._solved = [place for place, name in enumerate(self.joints) if name not in schedule.locked]
 
     def forward(self, q: Sequence[Value]) -> list[list[Value]]:
         """The pose as three rows of four entries (u, v, w, p)."""
@@ -121,6 +125,8 @@ class ExactWalk:
         values = reference if reference is not None else [0] * len(self.joints)
         wanted = {name: self.ctx.mpf(value) for name, value in zip(self.joints, values, strict=True)}
         env = self._held.names({**self.given, **{name: wanted[name] for name in self.schedule.inputs}, "tau": tau})
+        if self.schedule.general is not None:
+            return self._without_closed_form(self.schedule.general, rows, env)
         for row, axis in zip(rows, "xyz", strict=True):
             env.update({f"{column}_{axis}": value for column, value in zip("uvwp", row, strict=True)})
         size = env["size"] = self._size(env)
@@ -134,6 +140,19 @@ class ExactWalk:
                 found.append(plain)
         found.sort(key=lambda solution: solution.branch)
         return [solution.q for solution in self._settler.without_copies(found, goal.size)]
+
+    def _without_closed_form(self, plan: GeneralPlan, rows: list[list[Value]], env: Environment) -> list[list[Value]]:
+        """The solutions of the joints that are solved for, the locked ones in their places."""
+
+        def whole(q: Sequence[Value]) -> list[Value]:
+            found = dict(zip(self._solved, q, strict=True))
+            return [found[place] if place in found else env[name] for place, name in enumerate(self.joints)]
+
+        def jacobian(q: Sequence[Value]) -> list[list[Value]]:
+            return [[row[place] for place in self._solved] for row in self.jacobian(whole(q))]
+
+        oracle = GeneralOracle(self.ctx, self._numbers, plan, env, (lambda q: self.forward(whole(q)), jacobian))
+        return [whole(q) for q in oracle.solutions(rows)]
 
     def _paths(
         self, start: int, env: Environment, wanted: Mapping[str, Value], way: _Way

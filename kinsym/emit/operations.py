@@ -119,9 +119,8 @@ def inverse_operations(schedule: Schedule) -> Operations:
 
 
 def operation_lines(schedule: Schedule) -> tuple[str, ...]:
-    """The three figures as the banner shows them."""
-    return (
-        f"fk        {line_operations(schedule, schedule.forward)}",
-        f"ik        {inverse_operations(schedule)} (for all solutions)",
-        f"jacobian  {line_operations(schedule, schedule.jacobian)}",
-    )
+    """The figures as the banner shows them; a solver that searches for roots has none."""
+    lines = [f"fk        {line_operations(schedule, schedule.forward)}"]
+    if schedule.general is None:
+        lines.append(f"ik        {inverse_operations(schedule)} (for all solutions)")
+    return (*lines, f"jacobian  {line_operations(schedule, schedule.jacobian)}")

@@ -12,20 +12,20 @@ from kinsym.emit.schedule import Assign, JointName, Note, Parameter, Schedule, S
 from kinsym.emit.singular import singular_poses
 from kinsym.emit.straight import forward_line, jacobian_line
 from kinsym.emit.text.formula import TextPrinter
-from kinsym.inverse.plan import Item, Step, Window
+from kinsym.inverse.plan import Item, Plan, Step, Window
 from kinsym.inverse.rules import TITLES
 from kinsym.robot.summary import digest, table_lines
 
 
 def build_schedule(derivation: Derivation) -> Schedule:
     """Everything a generated module computes."""
-    robot, chain, plan = derivation.robot, derivation.chain, derivation.plan
+    robot, chain = derivation.robot, derivation.chain
+    plan = derivation.plan or derivation.general
+    if plan is None:
+        raise ValueError(f"{robot.name} has no inverse kinematics")
     levels = _Levels()
-    for item in plan.items:
-        levels.place(item)
-    for value in plan.values:
-        if value.wrapped:
-            levels.assign(Definition(name=value.variable, value=Call("wrap", (value.value,))))
+    if isinstance(plan, Plan):
+        levels.place_all(plan)
     return Schedule(
         name=robot.name,
         title=robot.title,
@@ -47,6 +47,7 @@ def build_schedule(derivation: Derivation) -> Schedule:
         singular=singular_poses(derivation),
         inputs=tuple(name for name, value in robot.locks.items() if value is None),
         held=derivation.held,
+        general=derivation.general,
     )
 
 
@@ -59,6 +60,14 @@ class _Levels:
         self._body: list[list[Statement]] = [[]]
         self._openers: list[list[Statement]] = []
         self._text = TextPrinter()
+
+    def place_all(self, plan: Plan) -> None:
+        """Put the items of a plan and the sums of angles that are joint values."""
+        for item in plan.items:
+            self.place(item)
+        for value in plan.values:
+            if value.wrapped:
+                self.assign(Definition(name=value.variable, value=Call("wrap", (value.value,))))
 
     def place(self, item: Item) -> None:
         """Put one item of the plan where it belongs."""

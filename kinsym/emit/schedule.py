@@ -11,6 +11,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from kinsym.algebra.tree import Tree
+from kinsym.general.plan import GeneralPlan
 from kinsym.inverse.plan import Definition, Step
 from kinsym.robot.model import Task
 
@@ -83,6 +84,7 @@ class Schedule:
     solution    the names of the joint values, in the order of joints, known at level ``depth``.
     singular    what the comments say of singular poses and the checks try; nothing is computed from it.
     maximum     the largest number of solutions, the product of ``widths``.
+    general     the plan of an arm without a closed form; ``inverse`` is empty then.
     """
 
     name: str
@@ -105,6 +107,7 @@ class Schedule:
     singular: SingularPoses | None = None
     inputs: tuple[str, ...] = ()
     held: tuple[Definition, ...] = ()
+    general: GeneralPlan | None = None
 
     @property
     def widths(self) -> tuple[int, ...]:

@@ -64,8 +64,13 @@ class Change:
 
 
 def paul_table(chain: Chain) -> Robot | None:
-    """The arm as a table of Paul's, what lies before the first axis left out; None where no exact one exists."""
+    """The arm as a table of Paul's, what lies before the first axis left out; None where no exact one exists.
+
+    There is none either where joints are locked: what two rows make together is no row with lengths of the user's.
+    """
     robot = chain.robot
+    if robot.locks:
+        return None
     plain = all(joint.variable is not None for joint in robot.joints)
     if robot.convention is Convention.PAUL and plain:
         return robot

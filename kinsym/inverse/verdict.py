@@ -95,6 +95,8 @@ class Verdict:
         return reason + ", ".join(map(str, self.misses))
 
     def _remedy(self) -> str:
+        if self.table is None:
+            return ""
         if self.remedies is None:
             return ". No time was left to try out which change of the table would give one"
         if not self.remedies:

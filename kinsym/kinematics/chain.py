@@ -149,7 +149,7 @@ def _chain(robot: Robot, locks: Mapping[str, Expr | None], spin: str | None = No
             constants.note_entry(plain, entry, name)
     body += tuple(Motion(name, "R", 1, Rigid.unit(plain)) for name in extra)
     runs = _runs(plain, body)
-    digits = shorthand(robot.variables)
+    digits = shorthand((*robot.variables, *extra))
 
     angles: dict[tuple[int, int, int], Angle] = {}
     for index, (_, nodes) in enumerate(runs):

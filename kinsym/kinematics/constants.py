@@ -8,9 +8,10 @@ sine of its own, as Pieper's equations in the lecture need (c alpha1, s alpha1).
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from types import MappingProxyType
 
 from sympy import Add, Expr, Integer, Mul, Rational, Symbol, cos, factorint, pi, sin, sqrt
 from sympy.ntheory import sqrt_mod
@@ -141,9 +142,9 @@ class Constants:
             terms.append(Mul(Rational(value.numerator, value.denominator), *factors))
         return Add(*terms)
 
-    def sample(self, generator: random.Random) -> dict[str, int]:
-        """Values modulo the prime: exact where the field holds them, random points otherwise."""
-        values = {name: generator.randrange(1, PRIME) for name in self.parameters}
+    def sample(self, generator: random.Random, given: Mapping[str, int] = MappingProxyType({})) -> dict[str, int]:
+        """Values modulo the prime: as given, exact where the field holds them, random points otherwise."""
+        values = {name: given.get(name, generator.randrange(1, PRIME)) for name in self.parameters}
         for expression, name in self.angles.items():
             values["c" + name], values["s" + name] = _angle_value(expression, generator)
         turns: dict[Expr, Point] = {}

@@ -41,7 +41,8 @@ _GENERATED = frozenset(
     """T q p R J G M N S I i j k m n np numpy math tau size delta defect reference zeros parameters valid real out pose
     count fk ik ik_batch ik_near ik_sweep jacobian self all_finite angle_of sign_of read_pose reaches usable isfinite
     isnan NEAR mark marks alike settle polish distance tidied special slopes step solutions given free border apart
-    branch direction homogeneous homogeneous2 linear quadratic quartic quotient quotient_length triangle linux unix
+    branch constant_motions direction homogeneous homogeneous2 linear links quadratic quartic quotient quotient_length
+    rigid_motion triangle whole linux unix
     NAME TITLE JOINTS JOINT_TYPES PARAMETERS MAX_SOLUTIONS TASK LOCKED""".split()
 )
 _PATTERNS = (

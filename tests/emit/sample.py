@@ -141,9 +141,11 @@ def _derivation(
     return SimpleNamespace(
         robot=robot,
         chain=SimpleNamespace(angles=angles),
+        solved=SimpleNamespace(angles=angles),
         forward=SimpleNamespace(links=links, pose=pose),
         jacobian=jacobian,
         plan=plan,
+        general=None,
         constants=(),
         singular=SingularSet(task=plan.task, square=True, constant=ONE, conditions=(), exhaustive=True, split=True),
         families=(),

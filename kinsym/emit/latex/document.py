@@ -8,14 +8,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from kinsym.algebra.convert import tree_of
 from kinsym.emit.environment import Delimiters, environment
+from kinsym.emit.latex.general import general_passages
 from kinsym.emit.latex.layout import SMALL, Block, Display, Matrix, Relation, aligned, chunks, matrices, table_fits
 from kinsym.emit.latex.names import link, pose
 from kinsym.emit.latex.passages import Formulas, Passages
-from kinsym.emit.latex.sentences import escape
+from kinsym.emit.latex.sentences import capital, escape, prose
 from kinsym.emit.latex.singular import singular_section
 from kinsym.emit.prose.vocabulary import angle_sums, joint_angles
 from kinsym.emit.prose.wording import (
@@ -33,6 +34,7 @@ from kinsym.emit.prose.wording import (
     marks_explained,
     sifting,
 )
+from kinsym.general.plan import GeneralPlan
 from kinsym.inverse.cut import link_letter
 from kinsym.inverse.plan import Plan
 from kinsym.inverse.state import span
@@ -166,9 +168,9 @@ class _Writer(Formulas):
         columns = enumerate(zip(*cells, strict=True), start=1)
         return matrices([Matrix(name=f"J_{{{k}}}", cells=tuple((cell,) for cell in column)) for k, column in columns])
 
-    def values(self) -> tuple[Block, ...]:
+    def values(self, plan: Plan) -> tuple[Block, ...]:
         """The joint variables that are sums of angles found."""
-        found = [value for value in self.derivation.plan.values if found_by_sum(value)]
+        found = [value for value in plan.values if found_by_sum(value)]
         return aligned(self.relation(value.variable, value.value) for value in found)
 
     def parameters(self) -> tuple[Sequence[tuple[str, ...]], ...]:
@@ -179,9 +181,33 @@ class _Writer(Formulas):
         ]
         return tuple(chunks(rows))
 
-    def branch_table(self) -> tuple[Sequence[tuple[str, ...]], ...]:
+    def branch_table(self, plan: Plan) -> tuple[Sequence[tuple[str, ...]], ...]:
         """Which branch every solution takes at every branching step."""
-        return tuple(chunks([(str(number), *marks) for number, marks in branch_rows(self.derivation.plan)]))
+        return tuple(chunks([(str(number), *marks) for number, marks in branch_rows(plan)]))
+
+    def closed_form(self, plan: Plan) -> dict[str, Any]:
+        """What the document says of an inverse kinematics in closed form."""
+        forks = branchings(plan)
+        robot = self.derivation.robot
+        first, last = span(robot, plan.task)
+        return {
+            "start": "" if (first, last) in loops(plan, robot) else pose(first, last),
+            "passages": tuple(Passages(self.derivation)),
+            "values": self.values(plan),
+            "wrapped": any(value.wrapped for value in plan.values if found_by_sum(value)),
+            "forks": [(fork.number, self.names[fork.unknown], _WORDS[fork.width]) for fork in forks],
+            "signs": marks_explained(plan)[0],
+            "numbers": marks_explained(plan)[1],
+            "branches": self.branch_table(plan) if forks else (),
+            "gate": sifting(plan),
+        }
+
+    def without_closed_form(self, plan: GeneralPlan) -> dict[str, Any]:
+        """What it says of one without."""
+        return {
+            "why": capital(prose(plan.why, self.names)),
+            "steps": general_passages(self.derivation, plan, self.names),
+        }
 
 
 def document(derivation: Derivation) -> str:
@@ -191,12 +217,12 @@ def document(derivation: Derivation) -> str:
     """
     writer = _Writer(derivation)
     robot: Robot = derivation.robot
-    plan: Plan = derivation.plan
+    plan = derivation.plan or derivation.general
+    if plan is None:
+        raise ValueError(f"{robot.name} has no inverse kinematics")
     table = writer.table()
-    forks = branchings(plan)
-    first, last = span(robot, plan.task)
     held = [item for item in derivation.held if item.name not in robot.locks]
-    context = {
+    context: dict[str, Any] = {
         "name": robot.name,
         "title": escape(robot.title) or escape(robot.name),
         "convention": CONVENTIONS[robot.convention].replace("Denavit-Hartenberg", "Denavit--Hartenberg"),
@@ -213,7 +239,6 @@ def document(derivation: Derivation) -> str:
         "fixed": writer.fixed(),
         "turns": writer.turns(),
         "notation": writer.notation(),
-        "start": "" if (first, last) in loops(plan, robot) else pose(first, last),
         "given": writer.given(),
         "held": writer.definitions(held),
         "letter": link_letter(robot),
@@ -224,17 +249,11 @@ def document(derivation: Derivation) -> str:
         "entries": writer.entries(),
         "axes": writer.definitions(axis_definitions(derivation.forward, derivation.jacobian)),
         "jacobian": writer.jacobian(),
-        "passages": tuple(Passages(derivation)),
-        "values": writer.values(),
-        "wrapped": any(value.wrapped for value in plan.values if found_by_sum(value)),
         "maximum": plan.maximum,
-        "forks": [(fork.number, writer.names[fork.unknown], _WORDS[fork.width]) for fork in forks],
-        "signs": marks_explained(plan)[0],
-        "numbers": marks_explained(plan)[1],
-        "branches": writer.branch_table() if forks else (),
-        "gate": sifting(plan),
         "poses": singular_section(writer),
+        "general": isinstance(plan, GeneralPlan),
     }
+    context |= writer.closed_form(plan) if isinstance(plan, Plan) else writer.without_closed_form(plan)
     text = environment(_DELIMITERS).get_template("latex/document.tex.j2").render(context)
     return re.sub(r"\n{3,}", "\n\n", re.sub(r" +\n", "\n", text))
 

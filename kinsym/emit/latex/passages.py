@@ -135,8 +135,11 @@ class Passages(Formulas):
     def __iter__(self) -> Iterator[Passage]:
         pending: list[Definition] = []
         before: Step | None = None
-        windows = loops(self.derivation.plan, self.derivation.robot)
-        for item in shown_items(self.derivation.plan):
+        plan = self.derivation.plan
+        if plan is None:
+            return
+        windows = loops(plan, self.derivation.robot)
+        for item in shown_items(plan):
             if isinstance(item, Definition):
                 pending.append(item)
                 continue

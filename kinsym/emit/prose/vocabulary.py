@@ -23,7 +23,11 @@ def all_names(derivation: Derivation) -> Iterator[str]:
     trees += [entry for row in derivation.jacobian.entries for entry in row]
     trees += singular_trees(derivation)
     definitions = [*derivation.constants, *derivation.held, *derivation.jacobian.definitions]
-    for item in plan.items:
+    if derivation.general is not None:
+        for angle in derivation.solved.angles.values():
+            if len(angle.terms) == 1:
+                yield from (angle.name, angle.cosine, angle.sine)
+    for item in plan.items if plan else ():
         match item:
             case Window():
                 definitions += item.definitions

@@ -16,6 +16,7 @@ from kinsym.emit.environment import render
 from kinsym.emit.printer import Printer, decimal
 from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.banner import banner, c_comment
+from kinsym.emit.source.c_general import general_names
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import kernels_used
 from kinsym.emit.source.marks import c_marks
@@ -75,6 +76,11 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "code": code,
         "comment": comment,
     }
+    if schedule.general:
+        names |= {
+            "general": general_names(schedule, schedule.general, printer),
+            "functions": names["functions"] | {"wrap"},
+        }
     return {
         f"{schedule.name}.h": render("c/header.h.jinja", **names),
         f"{schedule.name}.c": render("c/source.c.jinja", **names),
@@ -136,6 +142,7 @@ def _heads(schedule: Schedule, twins: bool) -> dict[str, Any]:
     size = ", double size" if gate_entries(schedule.task).position else ""
     pose, slopes = f"{parameters}, const double M[12], double size", f"D[ENTRIES][{joints}]"
     sliding = ", double size" if any(joint.kind == "P" for joint in schedule.joints) else ""
+    returned = "double" if schedule.gate and size else "void"
     return {
         "fk": f"void {name}_fk({vector}, {parameters}, double T[16])",
         "jacobian": f"void {name}_jacobian({vector}, {parameters}, double J[6 * {joints}])",
@@ -156,6 +163,8 @@ def _heads(schedule: Schedule, twins: bool) -> dict[str, Any]:
         "settle": f"static int settle({solutions}, {ending}int mark, {parameters}, const double M[12], "
         "double tau, double size)",
         "tidied": f"static int tidied({solutions}, {name}_mark marks[], const double alike[], int count{sliding})",
+        "hold": f"static void hold(const {name}_params *p, double q[{joints}])",
+        "constant_motions": f"static {returned} constant_motions(const {name}_params *p, rigid_motion out[7])",
         "reaches": f"static int reaches({vector}, {parameters}, const double M[12], double tau{size})",
     }
 

@@ -80,7 +80,7 @@ def line_needs(schedule: Schedule, line: StraightLine) -> LineNeeds:
 
 def inverse_needs(schedule: Schedule) -> InverseNeeds:
     """The needs of the inverse kinematics; a gate and marked solutions read the tolerances as well."""
-    names = set(schedule.solution)
+    names = set() if schedule.general else set(schedule.solution)
     if schedule.gate:
         names |= {"tau", "size"} if gate_entries(schedule.task).position else {"tau"}
     if _marks(schedule.inverse):
@@ -97,14 +97,23 @@ def inverse_needs(schedule: Schedule) -> InverseNeeds:
     statements = tuple(reversed(kept))
     if _depths(statements) != schedule.depth:
         raise ValueError(f"the schedule of {schedule.name} does not open {schedule.depth} levels in order")
+    if schedule.general:
+        names |= _names(entry for link in schedule.general.transforms for entry in link.entries)
     if "size" in names:
         names |= _names([schedule.size])
+    common = _common(schedule, (*schedule.constants, *schedule.held), names)
     return InverseNeeds(
         entries=tuple((name, *place) for name, place in ENTRIES.items() if name in names),
         statements=statements,
         inputs=tuple(name for name in schedule.inputs if name in names),
-        **_common(schedule, (*schedule.constants, *schedule.held), names),
+        **common,
     )
+
+
+def held_needs(schedule: Schedule) -> Needs:
+    """What the values of the locked joints read."""
+    names = set(schedule.locked)
+    return Needs(inputs=schedule.inputs, **_common(schedule, (*schedule.constants, *schedule.held), names))
 
 
 def functions_used(schedule: Schedule) -> frozenset[str]:
@@ -114,7 +123,7 @@ def functions_used(schedule: Schedule) -> frozenset[str]:
     for line in (schedule.forward, schedule.jacobian):
         needs = line_needs(schedule, line)
         trees += [item.value for item in (*needs.constants, *needs.definitions)]
-    trees += [item.value for item in inverse.constants]
+    trees += [item.value for item in (*inverse.constants, *held_needs(schedule).constants)]
     for statement in inverse.statements:
         if isinstance(statement, Assign):
             trees.append(statement.value)

@@ -17,10 +17,12 @@ from kinsym.emit.source.banner import banner, python_comment, python_docstring, 
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import ANGLE, KERNELS, kernels_used
 from kinsym.emit.source.marks import numpy_marks
-from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
+from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, held_needs, inverse_needs, line_needs
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
 from kinsym.emit.source.wrapping import WIDTH, cut, fill
+from kinsym.general.plan import Cut, GeneralPlan
+from kinsym.general.tables import BORDER_COLUMN, BORDER_ROW, CHART, OFFSET, arc_table, chebyshev_points, local_table
 
 
 class NumpyPrinter(Printer):
@@ -73,6 +75,8 @@ def numpy_source(schedule: Schedule) -> dict[str, str]:
         "comment": comment,
     }
     names |= _constants(schedule) | _signatures(schedule, inverse) | _helpers(inverse)
+    if schedule.general:
+        names |= _general(schedule, schedule.general, inverse, printer)
     return {f"{schedule.name}.py": render("numpy/module.py.jinja", **names)}
 
 
@@ -120,6 +124,72 @@ def _signatures(schedule: Schedule, inverse: InverseNeeds) -> dict[str, Any]:
             "*parameters",
         ],
     }
+
+
+#: The parts of the general solver: what opens the loop and follows from a root, what finds roots and polishes.
+_LOOP = ("loop", "matrix", "substitution")
+_SLIDES = ("slides",)
+_SEARCH = ("roots", "isolation", "pivoting", "newton")
+
+
+def _general(schedule: Schedule, plan: GeneralPlan, inverse: InverseNeeds, printer: Printer) -> dict[str, Any]:
+    """What the solver of an arm without a closed form reads."""
+    entries = [
+        code(f"links[{number}, {row}, {column}]", printer(value))
+        for number, link in enumerate(plan.transforms)
+        for (row, column), value in link.places
+        if value != ZERO
+    ]
+    held = held_needs(schedule)
+    needed, read = ([*(item.name for item in needs.parameters), *needs.inputs] for needs in (inverse, held))
+    cuts = plan.cuts or [Cut.before(number) for number in plan.suppressed]
+    ways = [(tuple(number - 1 for number in cut.order), cut.backward, cut.shift, cut.bordered) for cut in cuts]
+    every = [parameter.name for parameter in schedule.parameters]
+    return {
+        "parts": ["solve", "closure", *(_SLIDES if plan.suppressed else _LOOP), *_SEARCH],
+        "two_slides": bool(plan.suppressed),
+        "cuts": ways,
+        "attempts": tuple((way, nearby) for nearby in (False, True) for way in range(len(ways))),
+        "signs": plan.signs,
+        "letters": plan.kinds,
+        "virtual": plan.virtual,
+        "columns": "2:" if plan.virtual else ":",
+        "names_in_order": ", ".join(name for name in schedule.solution if name not in schedule.locked),
+        "solved": [place for place, name in enumerate(schedule.solution) if name not in schedule.locked],
+        "held": held,
+        "whole_head": head("_whole", ["q", *read]),
+        "whole_of": lambda q: f"_whole({', '.join([q, *_looked_up(read)])})",
+        "own_parameters": "{name: parameters[name] for name in PARAMETERS}" if schedule.inputs else "parameters",
+        "link_entries": entries,
+        "links_head": head("_links", needed),
+        "link_parameters": _tuple(needed),
+        "blocks_call": [
+            "T",
+            "reference",
+            f"dict({', '.join(f'{name}={name}' for name in every)})",
+            *(f"{name}={name}" for name in schedule.inputs),
+        ],
+        "offset": OFFSET,
+        "chart": CHART,
+        "border_column": list(BORDER_COLUMN),
+        "border_row": list(BORDER_ROW),
+        "arc_table": [_row(row) for row in arc_table()],
+        "points": _array(chebyshev_points()),
+        "local_table": [_row(row) for row in local_table()],
+    }
+
+
+def _looked_up(names: Sequence[str]) -> list[str]:
+    return [f'parameters["{name}"]' for name in names]
+
+
+def _array(values: Sequence[float]) -> str:
+    return f"np.array([{', '.join(map(repr, values))}])"
+
+
+def _row(values: Sequence[float]) -> str:
+    """One row of a table of numbers, on as many lines as it takes."""
+    return "\n".join(f"    {part}" for part in cut(f"[{', '.join(map(repr, values))}],", WIDTH - 4))
 
 
 def _helpers(inverse: InverseNeeds) -> dict[str, Any]:

@@ -33,6 +33,7 @@ from kinsym.emit.prose.wording import (
     shown_items,
     sifting,
 )
+from kinsym.emit.text.general import general_steps
 from kinsym.emit.text.page import Page
 from kinsym.emit.text.singular import singular_poses
 from kinsym.inverse.cut import link_letter
@@ -194,10 +195,10 @@ def _step(step: Step, before: Step | None, page: Page) -> str:
     return "\n".join(lines)
 
 
-def derivation_steps(derivation: Derivation, page: Page | None = None) -> str:
+def derivation_steps(derivation: Derivation, plan: Plan, page: Page | None = None) -> str:
     """The numbered derivation: what moves to the left, what each step solves, by which rule, and when it fails."""
     page = page or Page()
-    robot, plan = derivation.robot, derivation.plan
+    robot = derivation.robot
     first, last = span(robot, plan.task)
     letter = link_letter(robot)
     windows = loops(plan, robot)
@@ -270,7 +271,6 @@ def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, f
     page = Page(width=width, ascii=ascii)
     robot, plan = derivation.robot, derivation.plan
     title = one_line(robot.title) or robot.name
-    found = joint_values(plan, page)
     sections = [
         f"{title}\n{'=' * len(title)}",
         f"{_heading(CONVENTIONS[robot.convention])}\n{table(robot, page)}",
@@ -282,10 +282,14 @@ def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, f
     sections.append(f"{_heading('Forward kinematics')}\n{forward_kinematics(derivation, page)}")
     if full:
         sections.append(f"{_heading('Jacobian')}\n{jacobian(derivation.forward, derivation.jacobian, page)}")
-    sections.append(f"{_heading('Inverse kinematics')}\n{derivation_steps(derivation, page)}")
-    if found:
-        sections.append(f"{_heading('Joint values')}\n{found}")
-    sections.append(f"{_heading('Solutions')}\n{solutions(plan, page)}")
+    if derivation.general is not None:
+        sections.append(f"{_heading('Inverse kinematics')}\n{general_steps(derivation, derivation.general, page)}")
+        sections.append(f"{_heading('Solutions')}\n  at most {counted(derivation.general.maximum, 'solution')}")
+    if plan is not None:
+        sections.append(f"{_heading('Inverse kinematics')}\n{derivation_steps(derivation, plan, page)}")
+        if found := joint_values(plan, page):
+            sections.append(f"{_heading('Joint values')}\n{found}")
+        sections.append(f"{_heading('Solutions')}\n{solutions(plan, page)}")
     poses = singular_poses(derivation.singular, derivation.families, page)
     sections.append(f"{_heading('Singular poses')}\n{poses}")
     return "\n\n".join(sections) + "\n"

@@ -1,0 +1,46 @@
+"""From an arm without a closed form to its plan.
+
+Five joints whose task leaves the turn about the tool's axis open are completed by a virtual joint that makes it.
+"""
+
+from __future__ import annotations
+
+from kinsym.deadline import Deadline
+from kinsym.general.arm import Arm, six_joints
+from kinsym.general.plan import Cut, GeneralPlan
+from kinsym.general.ranks import usable
+from kinsym.inverse.assemble import arm_size
+from kinsym.inverse.state import NO_LIMIT
+from kinsym.kinematics.chain import Chain
+from kinsym.kinematics.tasks import mobility
+from kinsym.robot.model import Task
+
+
+def general_plan(chain: Chain, task: Task, why: str, deadline: Deadline = NO_LIMIT) -> GeneralPlan | None:
+    """The plan of a six-joint arm that a verdict leaves without a closed form; None if it has none either."""
+    arm = six_joints(chain)
+    if arm is None or task is not (Task.POSITION_AXIS if arm.virtual else Task.POSE):
+        return None
+    if mobility(chain) < len(chain.joints):
+        return None
+    own = range(1, len(chain.joints) + 1)
+    if arm.kinds.count("P") == 2:
+        return _plan(arm, task, why, (), tuple(number for number in own if arm.kinds[number - 1] == "R"))
+    cuts = [cut for cut in usable(arm, deadline) if cut.suppressed in own]
+    return _plan(arm, task, why, tuple(cuts), ()) if cuts else None
+
+
+def _plan(arm: Arm, task: Task, why: str, cuts: tuple[Cut, ...], suppressed: tuple[int, ...]) -> GeneralPlan:
+    return GeneralPlan(
+        task=task,
+        kinds=arm.kinds,
+        signs=arm.signs,
+        base=arm.link(arm.base),
+        links=tuple(arm.link(link) for link in arm.links),
+        cuts=cuts,
+        suppressed=suppressed,
+        maximum=8 if suppressed else 16,
+        virtual=arm.virtual,
+        size=arm_size(arm.chain),
+        why=why,
+    )

@@ -1,0 +1,37 @@
+"""The elimination with 50 digits gives the same solutions as the generated code."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from kinsym.check.solvers import ExactSolver
+from kinsym.emit.program import build_schedule
+from tests.general.arms import derived, joint_vectors, module, nearest
+
+ARMS = ["random1", "xarm6", "crx10ia", "slide1", "slide4", "slide25", "five1"]
+
+
+@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize("flat", [False, True])
+def test_the_same_solutions_with_fifty_digits(name: str, flat: bool) -> None:
+    arm = module(name)
+    q = joint_vectors(arm, 4, seed=11)
+    if flat:
+        q[:, 4 if name == "slide4" else 3] = 0.0
+    poses = arm.fk(q)
+    exact, count = ExactSolver(build_schedule(derived(name)), {}).inverse(poses, q)
+    found, valid = arm.ik_batch(poses)
+    assert nearest(arm, exact, q).max() < 1e-9
+    assert count.tolist() == valid.sum(axis=1).tolist()
+    for column in range(found.shape[1]):
+        rows = valid[:, column]
+        assert nearest(arm, exact[rows], found[rows, column]).max(initial=0.0) < 1e-9
+
+
+def test_nothing_is_a_solution_of_a_pose_out_of_reach() -> None:
+    pose = np.eye(4)
+    pose[0, 3] = 50.0
+    solver = ExactSolver(build_schedule(derived("random1")), {})
+    assert solver.inverse(pose[None], np.zeros((1, 6)))[1].tolist() == [0]
+    assert solver.refuses(2 * np.eye(4))
