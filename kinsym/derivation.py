@@ -8,6 +8,7 @@ from functools import cached_property
 from kinsym.algebra.convert import tree_of
 from kinsym.algebra.tree import Definition
 from kinsym.inverse.assemble import arm_size
+from kinsym.inverse.branches import Branches, branches
 from kinsym.inverse.families import Family, families
 from kinsym.inverse.locks import check_redundancy
 from kinsym.inverse.plan import Plan
@@ -66,6 +67,11 @@ class Derivation:
     def families(self) -> tuple[Family, ...]:
         """Where a joint is free, what follows it and what stays constant."""
         return families(self.solved, self.singular, self.plan)
+
+    @cached_property
+    def branches(self) -> Branches:
+        """The names of the branches, in the order of the generated code."""
+        return branches(self.solved, self.plan)
 
 
 def derive(robot: Robot, *, task: Task | None = None) -> Derivation:
