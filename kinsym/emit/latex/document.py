@@ -180,8 +180,9 @@ class _Writer(Formulas):
         return tuple(chunks(rows))
 
     def branch_table(self) -> tuple[Sequence[tuple[str, ...]], ...]:
-        """Which branch every solution takes at every branching step."""
-        return tuple(chunks([(str(number), *marks) for number, marks in branch_rows(self.derivation.plan)]))
+        """Which branch every solution takes at every branching step, and how it is called."""
+        named = zip(branch_rows(self.derivation.plan), self.derivation.branches.names, strict=True)
+        return tuple(chunks([(str(number), *marks, escape(name)) for (number, marks), name in named]))
 
 
 def document(derivation: Derivation) -> str:
@@ -232,6 +233,7 @@ def document(derivation: Derivation) -> str:
         "signs": marks_explained(plan)[0],
         "numbers": marks_explained(plan)[1],
         "branches": writer.branch_table() if forks else (),
+        "meanings": [escape(meaning) for meaning in derivation.branches.meanings] if forks else [],
         "gate": sifting(plan),
         "poses": singular_section(writer),
     }

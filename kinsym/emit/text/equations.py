@@ -238,9 +238,10 @@ def joint_values(plan: Plan, page: Page | None = None) -> str:
     return "\n".join(parts)
 
 
-def solutions(plan: Plan, page: Page | None = None) -> str:
-    """How many solutions there are and which branch each of them takes."""
+def solutions(derivation: Derivation, page: Page | None = None) -> str:
+    """How many solutions there are, which branch each of them takes and how it is called."""
     page = page or Page()
+    plan, branches = derivation.plan, derivation.branches
     forks = branchings(plan)
     if not forks:
         lines = ["  one solution"]
@@ -254,8 +255,11 @@ def solutions(plan: Plan, page: Page | None = None) -> str:
             page.prose(f"{'; '.join(meanings)}:"),
             "",
         ]
-        head = ("solution", *(f"step {fork.number}: {fork.unknown}" for fork in forks))
-        lines.append(page.columns([head, *((str(number), *marks) for number, marks in branch_rows(plan))]))
+        head = ("solution", *(f"step {fork.number}: {fork.unknown}" for fork in forks), "branch")
+        rows = zip(branch_rows(plan), branches.names, strict=True)
+        lines.append(page.columns([head, *((str(number), *marks, name) for (number, marks), name in rows)]))
+        lines += ["", *(page.prose(f"{meaning};") for meaning in branches.meanings[:-1])]
+        lines += [page.prose(meaning) for meaning in branches.meanings[-1:]]
     if plan.gate:
         lines.append("")
         lines.append(page.prose(sifting(plan)))
@@ -285,7 +289,7 @@ def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, f
     sections.append(f"{_heading('Inverse kinematics')}\n{derivation_steps(derivation, page)}")
     if found:
         sections.append(f"{_heading('Joint values')}\n{found}")
-    sections.append(f"{_heading('Solutions')}\n{solutions(plan, page)}")
+    sections.append(f"{_heading('Solutions')}\n{solutions(derivation, page)}")
     poses = singular_poses(derivation.singular, derivation.families, page)
     sections.append(f"{_heading('Singular poses')}\n{poses}")
     return "\n\n".join(sections) + "\n"
