@@ -68,7 +68,11 @@ def _imported(schedule: Schedule, path: Path, ledger: Ledger) -> ModuleType | No
     except Exception as error:  # the file may hold anything by now
         ledger.fail(IMPORT, NUMPY, f"{type(error).__name__}: {error}")
         return None
-    missing = [name for name in ("fk", "ik", "ik_batch", "jacobian") if not callable(getattr(module, name, None))]
+    missing = [
+        name
+        for name in ("fk", "ik", "ik_batch", "jacobian", "solve", "nearest")
+        if not callable(getattr(module, name, None))
+    ]
     if missing:
         ledger.fail(IMPORT, NUMPY, f"it has no {', '.join(missing)}")
         return None
@@ -97,7 +101,7 @@ def _compiled(schedule: Schedule, path: Path, ledger: Ledger, versions: dict[str
         versions["compiler"] = compiler_version(compiler)
         versions["flags"] = " ".join(FLAGS)
         library = ctypes.CDLL(str(compile_shared(path.parent, schedule.name, path.parent, compiler=compiler)))
-        for function in ("fk", "ik_near", "jacobian"):
+        for function in ("fk", "ik_near", "jacobian", "solve", "nearest"):
             getattr(library, f"{schedule.name}_{function}")
     except (CheckFailed, OSError, AttributeError) as error:
         ledger.fail(COMPILE, C, str(error))
