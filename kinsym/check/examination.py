@@ -120,12 +120,13 @@ class Examination:
                     self._single(target, some[:SINGLE_POSES])
                     self._sweep(target, some[:SINGLE_POSES])
                 if isinstance(target, NumpySolver | CSolver):
-                    hold_nearest(self.ledger, target, self.judge, self.poses[some], self.q[some], self.rng)
+                    hold_nearest(self.ledger, target, self.judge, poses=self.poses[some], q=self.q[some], rng=self.rng)
             except Exception as error:  # generated code that was edited may raise anything
                 self.ledger.fail(ERROR_LAW, target.name, f"{type(error).__name__}: {error}")
                 continue
             answers[target.name] = answer
-        hold_status(self.ledger, self.targets, answers, self.poses, self.q, self.samples.of(UNIFORM), some)
+        uniform = self.samples.of(UNIFORM)
+        hold_status(self.ledger, self.targets, answers, poses=self.poses, q=self.q, uniform=uniform, which=some)
         if len(answers) > 1:
             (left, first), (right, second) = answers.items()
             self._agree(f"{left} and {right}", first, second, every)

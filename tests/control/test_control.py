@@ -198,6 +198,23 @@ def test_status_tells_what_a_pose_is() -> None:
     assert within("puma560", np.zeros((4, 4))).status == "not a pose"
 
 
+@needs_compiler
+def test_the_result_says_which_joints_form_the_family() -> None:
+    """theta4 and theta6 of a straight wrist; of a UR5 the three parallel joints and theta6."""
+    for name, q, moving in (
+        ("puma560", [0.3, -0.7, 0.4, 0.6, 0.0, -0.2], [3, 5]),
+        ("ur5", [0.3, -0.7, 0.4, 0.6, 0.0, -0.2], [1, 2, 3, 5]),
+    ):
+        found = solve(name, pose(name, q), reference=q)
+        rows = found.free.any(axis=1)
+        assert rows.any()
+        assert all(np.flatnonzero(family).tolist() == moving for family in found.family[rows])
+        assert not found.family[~rows].any()
+        bits = sum(1 << int(joint) for joint in np.flatnonzero(found.free[rows][0]))
+        assert c_control(name).family(bits) == sum(1 << joint for joint in moving)
+        assert c_control(name).family(0) == 0
+
+
 def test_the_border_of_the_workspace_is_singular() -> None:
     q = np.array([0.4, 0.0])
     found = solve("planar_rr", pose("planar_rr", q))

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable
 from typing import Any
 
 from kinsym.emit.printer import decimal
-from kinsym.emit.schedule import Schedule
+from kinsym.emit.schedule import Schedule, Solve
 from kinsym.emit.source.wrapping import WIDTH
 
 
@@ -22,7 +21,7 @@ def control_names(schedule: Schedule) -> dict[str, Any]:
     return {
         "branch_names": schedule.branches or numbered,
         "branch_meanings": [line for meaning in schedule.meanings for line in _item(meaning)],
-        "limits": [joint.limits for joint in schedule.joints],
+        "families": _families(schedule),
         "winding": winding,
         "held_joints": held,
         "joint_kinds": "".join(
@@ -31,13 +30,12 @@ def control_names(schedule: Schedule) -> dict[str, Any]:
     }
 
 
-def python_limits(schedule: Schedule) -> str:
-    """The limits of the joints as a tuple of pairs."""
-    pairs = (
+def python_limits(schedule: Schedule) -> list[str]:
+    """The limits of the joints as pairs."""
+    return [
         "(-math.inf, math.inf)" if joint.limits is None else f"({decimal(joint.limits[0])}, {decimal(joint.limits[1])})"
         for joint in schedule.joints
-    )
-    return _tuple(pairs)
+    ]
 
 
 def c_limits(schedule: Schedule, side: int) -> str:
@@ -46,9 +44,18 @@ def c_limits(schedule: Schedule, side: int) -> str:
     return ", ".join(infinite if joint.limits is None else decimal(joint.limits[side]) for joint in schedule.joints)
 
 
-def _tuple(items: Iterable[str]) -> str:
-    parts = list(items)
-    return f"({', '.join(parts)}{',' if len(parts) == 1 else ''})"
+def _families(schedule: Schedule) -> list[tuple[int, int]]:
+    """For each joint or sum that a family is named by, its bits and those of all joints that move along the family."""
+    place = {joint.name: number for number, joint in enumerate(schedule.joints)}
+    steps = [statement.step for statement in schedule.inverse if isinstance(statement, Solve)]
+    joints = {step.unknown: [place[name] for name, _ in step.reference] for step in steps}
+    found: dict[int, int] = {}
+    for family in schedule.singular.families if schedule.singular else ():
+        own = sum(1 << joint for joint in joints.get(family.free, ()))
+        moving = sum(1 << place[name] for name in family.follows)
+        if own and moving:
+            found[own] = found.get(own, own) | moving
+    return list(found.items())
 
 
 def _item(text: str) -> list[str]:

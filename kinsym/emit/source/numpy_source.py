@@ -48,7 +48,7 @@ def numpy_source(schedule: Schedule) -> dict[str, str]:
     names = {
         **numpy_marks(schedule, statements),
         **control_names(schedule),
-        "python_limits": python_limits(schedule),
+        "limits": python_limits(schedule),
         "schedule": schedule,
         "joints": len(schedule.joints),
         "solutions": schedule.maximum,
