@@ -255,9 +255,9 @@ def solutions(derivation: Derivation, page: Page | None = None) -> str:
             page.prose(f"{'; '.join(meanings)}:"),
             "",
         ]
-        head = ("solution", *(f"step {fork.number}: {fork.unknown}" for fork in forks), "branch")
-        rows = zip(branch_rows(plan), branches.names, strict=True)
-        lines.append(page.columns([head, *((str(number), *marks, name) for (number, marks), name in rows)]))
+        head = ("solution", *(f"step {fork.number}: {fork.unknown}" for fork in forks))
+        lines.append(page.columns([head, *((str(number), *marks) for number, marks in branch_rows(plan))]))
+        lines += ["", *(page.prose(f"{number}: {name}") for number, name in enumerate(branches.names, start=1))]
         lines += ["", *(page.prose(f"{meaning};") for meaning in branches.meanings[:-1])]
         lines += [page.prose(meaning) for meaning in branches.meanings[-1:]]
     if plan.gate:
