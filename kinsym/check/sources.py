@@ -70,7 +70,7 @@ def _imported(schedule: Schedule, path: Path, ledger: Ledger) -> ModuleType | No
         return None
     missing = [
         name
-        for name in ("fk", "ik", "ik_batch", "jacobian", "solve", "nearest")
+        for name in ("fk", "ik", "ik_batch", "jacobian")
         if not callable(getattr(module, name, None))
     ]
     if missing:

@@ -42,7 +42,7 @@ _GENERATED = frozenset(
     count fk ik ik_batch ik_near ik_sweep jacobian self all_finite angle_of sign_of read_pose reaches usable isfinite
     isnan NEAR mark marks doubtful settle polish distance tidied special slopes step solutions given free border apart
     branch direction homogeneous homogeneous2 linear quadratic quartic quotient quotient_length triangle linux unix
-    found solve within nearest weights limits lower upper status Solutions NamedTuple TURN SLACK
+    found solve within nearest weights limits status Solutions NamedTuple TURN SLACK
     NAME TITLE JOINTS JOINT_TYPES PARAMETERS MAX_SOLUTIONS TASK LOCKED BRANCHES LIMITS""".split()
 )
 _PATTERNS = (
