@@ -13,6 +13,7 @@ from kinsym.general.calibrate import calibrated
 from kinsym.general.plan import GeneralPlan
 from kinsym.general.select import general_plan
 from kinsym.inverse.assemble import arm_size
+from kinsym.inverse.branches import Branches, branches
 from kinsym.inverse.families import Family, families
 from kinsym.inverse.locks import check_redundancy
 from kinsym.inverse.plan import Plan
@@ -72,6 +73,11 @@ class Derivation:
     def families(self) -> tuple[Family, ...]:
         """Where a step of the closed form leaves a joint free, what follows it and what stays constant."""
         return families(self.solved, self.singular, self.plan) if self.plan else ()
+
+    @cached_property
+    def branches(self) -> Branches:
+        """The names of the branches, in the order of the generated code."""
+        return branches(self.solved, self.plan) if self.plan else Branches(names=(), meanings=())
 
 
 def derive(robot: Robot, *, task: Task | None = None, deadline: float | None = None) -> Derivation:

@@ -14,12 +14,13 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
+from kinsym.check.control import hold_nearest, hold_status
 from kinsym.check.laws import CLOSURE, COPY, FORWARD, PATH, SAME, Judge, malformed, outward
 from kinsym.check.ledger import Ledger
 from kinsym.check.poses import KINDS, PAIR, UNIFORM, Counts, generator, held_samples
 from kinsym.check.singular import volume_of
 from kinsym.check.singular_set import hold_singular_set
-from kinsym.check.solvers import ExactSolver, Floats, NumpySolver, Solutions, Solver, TreeKinematics
+from kinsym.check.solvers import CSolver, ExactSolver, Floats, NumpySolver, Solutions, Solver, TreeKinematics
 from kinsym.check.table import TableKinematics
 from kinsym.check.task import sifted, task_jacobian
 from kinsym.emit.schedule import Schedule
@@ -122,10 +123,14 @@ class Examination:
                 if isinstance(target, NumpySolver):
                     self._single(target, some[:SINGLE_POSES])
                     self._sweep(target, some[:SINGLE_POSES])
+                if isinstance(target, NumpySolver | CSolver):
+                    hold_nearest(self.ledger, target, self.judge, poses=self.poses[some], q=self.q[some], rng=self.rng)
             except Exception as error:  # generated code that was edited may raise anything
                 self.ledger.fail(ERROR_LAW, target.name, f"{type(error).__name__}: {error}")
                 continue
             answers[target.name] = answer
+        uniform = self.samples.of(UNIFORM)
+        hold_status(self.ledger, self.targets, answers, poses=self.poses, q=self.q, uniform=uniform, which=some)
         if len(answers) > 1:
             (left, first), (right, second) = answers.items()
             self._agree(f"{left} and {right}", first, second, every)

@@ -54,6 +54,7 @@ class Report:
     joints: tuple[str, ...]
     parameters: Mapping[str, str | None]
     maximum: int
+    branches: tuple[str, ...]
     table: Sequence[str]
     singular: Mapping[str, Any] = field(default_factory=dict)
     operations: Mapping[str, Any] = field(default_factory=dict)
@@ -87,6 +88,7 @@ class Report:
             "joints": list(self.joints),
             "parameters": dict(self.parameters),
             "most_solutions": self.maximum,
+            "branches": list(self.branches),
             "singular_poses": dict(self.singular),
             "figures": dict(self.figures),
             "checks": [_without_empty(check) for check in self.checks],

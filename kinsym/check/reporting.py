@@ -34,6 +34,7 @@ def report_of(robot: Robot, schedule: Schedule, sources: Mapping[str, str], find
         joints=tuple(f"{joint.name} ({joint.kind}{_locked(robot, joint.name)})" for joint in schedule.joints),
         parameters={parameter.name: _value(parameter.value) for parameter in schedule.parameters},
         maximum=schedule.maximum,
+        branches=schedule.branches,
         table=to_toml(robot).splitlines(),
         singular=singular_figures(schedule),
         operations={

@@ -130,6 +130,16 @@ class NumpySolver:
     def _given(self, reference: Floats) -> dict[str, Any]:
         return {**self._parameters, **{name: reference[..., column] for column, name in self._inputs}}
 
+    def status(self, pose: Floats, reference: Floats) -> str:
+        """What ``solve`` says of one pose (4, 4)."""
+        return str(self._module.solve(pose, reference=reference, **self._given(reference)).status)
+
+    def nearest(self, pose: Floats, reference: Floats, weights: Floats) -> Floats | None:
+        """``nearest`` of one pose, without limits."""
+        unlimited = np.array([[-np.inf, np.inf]] * len(reference))
+        found = self._module.nearest(pose, reference, weights=weights, limits=unlimited, **self._given(reference))
+        return None if found is None else np.asarray(found, dtype=np.float64)
+
     def refuses(self, pose: Floats) -> bool:
         given = {**self._parameters, **{name: 0.0 for _, name in self._inputs}}
         for function in (self._module.ik, self._module.ik_batch):
@@ -155,6 +165,10 @@ def _inputs(schedule: Schedule) -> list[tuple[int, str]]:
     return [(column, joint.name) for column, joint in enumerate(schedule.joints) if joint.name in schedule.inputs]
 
 
+#: The statuses of the C by their number, in the words of the NumPy module.
+STATUS = {0: "unreachable", 1: "solved", 2: "singular", -1: "not a pose"}
+
+
 class CSolver:
     """The compiled C, called through ctypes."""
 
@@ -170,7 +184,11 @@ class CSolver:
         self._ik = getattr(library, f"{schedule.name}_ik_near")
         self._fk.restype = self._jacobian.restype = None
         self._ik.restype = ctypes.c_int
+        self._solve = getattr(library, f"{schedule.name}_solve")
+        self._nearest = getattr(library, f"{schedule.name}_nearest")
+        self._solve.restype = self._nearest.restype = ctypes.c_int
         pointer = ctypes.c_void_p
+        self._solve.argtypes, self._nearest.argtypes = [pointer] * 4, [pointer] * 7
         self._fk.argtypes = self._jacobian.argtypes = [pointer, pointer, pointer]
         self._ik.argtypes = [pointer] * 4
 
@@ -186,12 +204,34 @@ class CSolver:
         buffer = np.empty((self._most, self._n))
         count = np.zeros(len(poses), dtype=np.intp)
         for row in range(len(poses)):
-            for place, column in self._places:
-                self._given[place] = reference[row, column]
+            self._give(reference[row])
             found = self._ik(poses[row].ctypes.data, self._given, reference[row].ctypes.data, buffer.ctypes.data)
             count[row] = max(0, found)
             q[row, : count[row]] = np.where(np.isnan(buffer[: count[row]]), np.inf, buffer[: count[row]])
         return q, count
+
+    def status(self, pose: Floats, reference: Floats) -> str:
+        """What ``NAME_solve`` says of one pose (4, 4)."""
+        self._give(reference)
+        pose, reference = np.ascontiguousarray(pose), np.ascontiguousarray(reference)
+        # two ints, then for every solution its doubles and the three numbers of its mark
+        out = np.empty(1 + self._most * (self._n + 2))
+        status = self._solve(pose.ctypes.data, self._given, reference.ctypes.data, out.ctypes.data)
+        return STATUS.get(status, str(status))
+
+    def nearest(self, pose: Floats, reference: Floats, weights: Floats) -> Floats | None:
+        """``NAME_nearest`` of one pose, without limits."""
+        self._give(reference)
+        pose, reference, weights = map(np.ascontiguousarray, (pose, reference, weights))
+        low, q = np.full(self._n, -np.inf), np.empty(self._n)
+        high = -low
+        arrays = (reference, weights, low, high, q)
+        found = self._nearest(pose.ctypes.data, self._given, *(array.ctypes.data for array in arrays))
+        return q if found > 0 else None
+
+    def _give(self, reference: Floats) -> None:
+        for place, column in self._places:
+            self._given[place] = reference[column]
 
     def refuses(self, pose: Floats) -> bool:
         pose = np.ascontiguousarray(pose, dtype=np.float64)

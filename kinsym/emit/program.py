@@ -31,7 +31,10 @@ def build_schedule(derivation: Derivation) -> Schedule:
         title=robot.title,
         table=table_lines(robot),
         digest=digest(robot),
-        joints=tuple(JointName(name=joint.variable, kind=joint.kind) for joint in chain.joints),
+        joints=tuple(
+            JointName(name=joint.variable, kind=joint.kind, limits=row.limits)
+            for joint, row in zip(chain.joints, robot.moving, strict=True)
+        ),
         parameters=tuple(Parameter(name=name, value=value) for name, value in robot.parameters.items()),
         constants=derivation.constants,
         forward=forward_line(chain),
@@ -48,6 +51,8 @@ def build_schedule(derivation: Derivation) -> Schedule:
         inputs=tuple(name for name, value in robot.locks.items() if value is None),
         held=derivation.held,
         general=derivation.general,
+        branches=derivation.branches.names,
+        meanings=derivation.branches.meanings,
     )
 
 

@@ -65,10 +65,11 @@ class Parameter:
 
 @dataclass(frozen=True, kw_only=True)
 class JointName:
-    """A joint variable and its kind, ``"R"`` or ``"P"``."""
+    """A joint variable, its kind, ``"R"`` or ``"P"``, and its limits (low, high), None if it has none."""
 
     name: str
     kind: str
+    limits: tuple[Fraction, Fraction] | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -83,6 +84,8 @@ class Schedule:
     inverse     the statements of the inverse kinematics; the names u_x..p_z are the entries of the pose.
     solution    the names of the joint values, in the order of joints, known at level ``depth``.
     singular    what the comments say of singular poses and the checks try; nothing is computed from it.
+    branches    the names of the branches by their number, empty where the solutions have only numbers.
+    meanings    what the words in these names mean, one sentence each.
     maximum     the largest number of solutions, the product of ``widths``.
     general     the plan of an arm without a closed form; ``inverse`` is empty then.
     """
@@ -108,6 +111,8 @@ class Schedule:
     inputs: tuple[str, ...] = ()
     held: tuple[Definition, ...] = ()
     general: GeneralPlan | None = None
+    branches: tuple[str, ...] = ()
+    meanings: tuple[str, ...] = ()
 
     @property
     def widths(self) -> tuple[int, ...]:

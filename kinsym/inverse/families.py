@@ -18,7 +18,7 @@ from kinsym.algebra.field import PRIME
 from kinsym.algebra.linear import kernel
 from kinsym.algebra.residues import residue_of
 from kinsym.algebra.tree import ZERO, Definition, Num, Pow, Prod, Sum, Sym, Tree, add, mul, negated, negative, symbols
-from kinsym.inverse.plan import Item, Plan, Step, Window
+from kinsym.inverse.plan import Plan, Step, Window
 from kinsym.kinematics.chain import Chain
 from kinsym.kinematics.singular import SingularSet
 from kinsym.kinematics.singular.conditions import POSTURES, Condition
@@ -110,26 +110,30 @@ def _degenerate(plan: Plan, step: Step, posture: Posture) -> bool:
     """Whether a step leaves its unknown free at a posture: every square of its condition is zero."""
     if step.degenerate is None:
         return False
-    values = dict(posture.values)
-    for column, vector in zip("uvwp", (*zip(*posture.turned, strict=True), posture.end), strict=True):
-        values |= {f"{column}_{row}": entry for row, entry in zip("xyz", vector, strict=True)}
-    for item in plan.items:
-        for definition in _definitions(item):
-            value = residue_of(definition.value, values)
-            if value is not None:
-                values[definition.name] = value
-        if item is step:
-            break
+    values = values_at(plan, step, posture)
     trees = [*_squares(step.degenerate[0])]
     trees += [step.inputs[name] for name in ("a_alt", "b_alt") if name in step.inputs]
     return all(residue_of(tree, values) == 0 for tree in trees)
 
 
-def _definitions(item: Item) -> tuple[Definition, ...]:
+def values_at(plan: Plan, step: Step, posture: Posture) -> dict[str, int]:
+    """What a step of the plan reads, modulo the prime, where the arm is in a posture; without what is no polynomial."""
+    values = dict(posture.values)
+    for column, vector in zip("uvwp", (*zip(*posture.turned, strict=True), posture.end), strict=True):
+        values |= {f"{column}_{row}": entry for row, entry in zip("xyz", vector, strict=True)}
+    for item in plan.items:
+        for definition in item.coefficients if isinstance(item, Step) else _definitions(item):
+            value = residue_of(definition.value, values)
+            if value is not None:
+                values[definition.name] = value
+        if item is step:
+            break
+    return values
+
+
+def _definitions(item: Definition | Window) -> tuple[Definition, ...]:
     """What an item of the plan gives a name to."""
-    if isinstance(item, Definition):
-        return (item,)
-    return item.definitions if isinstance(item, Window) else item.coefficients
+    return (item,) if isinstance(item, Definition) else item.definitions
 
 
 def _squares(tree: Tree) -> Iterator[Tree]:

@@ -42,8 +42,8 @@ _GENERATED = frozenset(
     count fk ik ik_batch ik_near ik_sweep jacobian self all_finite angle_of sign_of read_pose reaches usable isfinite
     isnan NEAR mark marks alike settle polish distance tidied special slopes step solutions given free border apart
     branch constant_motions direction homogeneous homogeneous2 linear links quadratic quartic quotient quotient_length
-    rigid_motion triangle whole linux unix
-    NAME TITLE JOINTS JOINT_TYPES PARAMETERS MAX_SOLUTIONS TASK LOCKED""".split()
+    rigid_motion triangle whole linux unix found solve within nearest weights limits status Solutions NamedTuple TURN
+    SLACK NAME TITLE JOINTS JOINT_TYPES PARAMETERS MAX_SOLUTIONS TASK LOCKED BRANCHES LIMITS""".split()
 )
 _PATTERNS = (
     (re.compile(r"theta\d+"), "such names are joint angles and their sums (theta23 is theta2 + theta3)"),

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ast
 from fractions import Fraction
+from itertools import product
 from types import SimpleNamespace
 from typing import Any
 
@@ -15,6 +16,7 @@ import sympy as sp
 
 from kinsym.algebra.tree import ONE, Call, Definition, Num, Pi, PlusMinus, Pow, Quot, Tree, add, mul, negated, sub
 from kinsym.algebra.tree import Sym as Name
+from kinsym.inverse.branches import Branches
 from kinsym.inverse.plan import Equation, Item, JointValue, Plan, Step, Window
 from kinsym.kinematics.angles import interval
 from kinsym.kinematics.singular import SingularSet
@@ -150,8 +152,15 @@ def _derivation(
         singular=SingularSet(task=plan.task, square=True, constant=ONE, conditions=(), exhaustive=True, split=True),
         families=(),
         held=(),
+        branches=_branches(plan),
         angles=tuple(angles.values()),
     )
+
+
+def _branches(plan: Plan) -> Branches:
+    """Names by unknown, as an arm has them that no geometry tells apart."""
+    forks = [[f"{step.unknown} {sign}" for sign in "+-"] for step in plan.steps if step.branches > 1]
+    return Branches(names=tuple(", ".join(words) for words in product(*forks)), meanings=("+ and - are signs",))
 
 
 def planar_2r(title: str = "Planar RR arm") -> Any:

@@ -182,8 +182,9 @@ class _Writer(Formulas):
         return tuple(chunks(rows))
 
     def branch_table(self, plan: Plan) -> tuple[Sequence[tuple[str, ...]], ...]:
-        """Which branch every solution takes at every branching step."""
-        return tuple(chunks([(str(number), *marks) for number, marks in branch_rows(plan)]))
+        """Which branch every solution takes at every branching step, and how it is called."""
+        named = zip(branch_rows(plan), self.derivation.branches.names, strict=True)
+        return tuple(chunks([(str(number), *marks, escape(name)) for (number, marks), name in named]))
 
     def closed_form(self, plan: Plan) -> dict[str, Any]:
         """What the document says of an inverse kinematics in closed form."""
@@ -199,6 +200,7 @@ class _Writer(Formulas):
             "signs": marks_explained(plan)[0],
             "numbers": marks_explained(plan)[1],
             "branches": self.branch_table(plan) if forks else (),
+            "meanings": [escape(meaning) for meaning in self.derivation.branches.meanings] if forks else [],
             "gate": sifting(plan),
         }
 

@@ -17,6 +17,7 @@ from kinsym.emit.printer import Printer, decimal
 from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.banner import banner, c_comment
 from kinsym.emit.source.c_general import general_names
+from kinsym.emit.source.control import c_limits, control_names
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import kernels_used
 from kinsym.emit.source.marks import c_marks
@@ -50,6 +51,9 @@ def c_source(schedule: Schedule) -> dict[str, str]:
     marking = c_marks(schedule, statements)
     names: dict[str, Any] = {
         **marking,
+        **control_names(schedule),
+        "lower_limits": c_limits(schedule, 0),
+        "upper_limits": c_limits(schedule, 1),
         "name": schedule.name,
         "macro": schedule.name.upper(),
         "schedule": schedule,
@@ -143,7 +147,13 @@ def _heads(schedule: Schedule, twins: bool) -> dict[str, Any]:
     pose, slopes = f"{parameters}, const double M[12], double size", f"D[ENTRIES][{joints}]"
     sliding = ", double size" if any(joint.kind == "P" for joint in schedule.joints) else ""
     returned = "double" if schedule.gate and size else "void"
+    called = f"const double T[16], {parameters}, const double reference[{joints}]"
+    limits = f"const double lower[{joints}], const double upper[{joints}]"
     return {
+        "solve": f"{name}_status {name}_solve({called}, {name}_solutions *out)",
+        "within": f"int {name}_within({called}, {limits}, int capacity, {solutions}, {name}_mark marks[])",
+        "nearest": f"{name}_status {name}_nearest({called}, const double weights[{joints}], {limits}, "
+        f"double q[{joints}])",
         "fk": f"void {name}_fk({vector}, {parameters}, double T[16])",
         "jacobian": f"void {name}_jacobian({vector}, {parameters}, double J[6 * {joints}])",
         "ik": f"int {name}_ik(const double T[16], {parameters}, {solutions})",

@@ -14,6 +14,7 @@ from kinsym.emit.environment import render
 from kinsym.emit.printer import Printer, decimal
 from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.banner import banner, python_comment, python_docstring, python_string
+from kinsym.emit.source.control import control_names, python_limits
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import ANGLE, KERNELS, kernels_used
 from kinsym.emit.source.marks import numpy_marks
@@ -48,6 +49,8 @@ def numpy_source(schedule: Schedule) -> dict[str, str]:
     statements = inverse_views(schedule, inverse, printer)
     names = {
         **numpy_marks(schedule, statements),
+        **control_names(schedule),
+        "limits": python_limits(schedule),
         "schedule": schedule,
         "joints": len(schedule.joints),
         "solutions": schedule.maximum,
@@ -115,6 +118,7 @@ def _signatures(schedule: Schedule, inverse: InverseNeeds) -> dict[str, Any]:
         "keywords": ", **given" if every else "",
         "check": code("", f"_check_parameters({', '.join(passed)})"),
         "public": lambda name, first, *options: head(name, [first], [*options, *keywords]),
+        "public_control": lambda name, first, options: head(name, first, [*schedule.inputs, *options, *keywords]),
         "public_ik": lambda name, first: head(name, [first], [*schedule.inputs, "reference=None", *keywords]),
         "blocks_call": ["T", "reference", f"({', '.join(solving)}{',' if len(solving) == 1 else ''})", *locked],
         "solve_head": head("_solve", [*arguments, *schedule.inputs, *solving]),

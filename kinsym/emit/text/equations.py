@@ -239,9 +239,10 @@ def joint_values(plan: Plan, page: Page | None = None) -> str:
     return "\n".join(parts)
 
 
-def solutions(plan: Plan, page: Page | None = None) -> str:
-    """How many solutions there are and which branch each of them takes."""
+def solutions(derivation: Derivation, plan: Plan, page: Page | None = None) -> str:
+    """How many solutions there are, which branch each of them takes and how it is called."""
     page = page or Page()
+    branches = derivation.branches
     forks = branchings(plan)
     if not forks:
         lines = ["  one solution"]
@@ -257,6 +258,9 @@ def solutions(plan: Plan, page: Page | None = None) -> str:
         ]
         head = ("solution", *(f"step {fork.number}: {fork.unknown}" for fork in forks))
         lines.append(page.columns([head, *((str(number), *marks) for number, marks in branch_rows(plan))]))
+        lines += ["", *(page.prose(f"{number}: {name}") for number, name in enumerate(branches.names, start=1))]
+        lines += ["", *(page.prose(f"{meaning};") for meaning in branches.meanings[:-1])]
+        lines += [page.prose(meaning) for meaning in branches.meanings[-1:]]
     if plan.gate:
         lines.append("")
         lines.append(page.prose(sifting(plan)))
@@ -289,7 +293,7 @@ def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, f
         sections.append(f"{_heading('Inverse kinematics')}\n{derivation_steps(derivation, plan, page)}")
         if found := joint_values(plan, page):
             sections.append(f"{_heading('Joint values')}\n{found}")
-        sections.append(f"{_heading('Solutions')}\n{solutions(plan, page)}")
+        sections.append(f"{_heading('Solutions')}\n{solutions(derivation, plan, page)}")
     poses = singular_poses(derivation.singular, derivation.families, page)
     sections.append(f"{_heading('Singular poses')}\n{poses}")
     return "\n\n".join(sections) + "\n"

@@ -98,9 +98,9 @@ def _places(task: Task, ordinary: Posture) -> Iterator[_Place]:
     for count in (3, 2):
         for first in range(last - count + 1, -1, -1):
             joints = tuple(range(first, first + count))
-            if any(ordinary.kinds[joint] != "R" for joint in joints) or _crossing(ordinary, *joints[:2]) is None:
+            if any(ordinary.kinds[joint] != "R" for joint in joints) or crossing(ordinary, *joints[:2]) is None:
                 continue
-            point = _crossing(ordinary, *joints[:2])
+            point = crossing(ordinary, *joints[:2])
             if count == 3 and (point is None or any(_lever(ordinary, joints[2], point))):
                 continue
             words = f"the point where axes {_listed(ordinary, joints)} meet"
@@ -115,7 +115,7 @@ def _meeting(ordinary: Posture, turning: list[int]) -> Iterator[_Property]:
     """Three axes that always meet fall into one plane."""
     for i in range(len(ordinary.kinds) - 2):
         triple = (i, i + 1, i + 2)
-        point = _crossing(ordinary, i, i + 1) if set(triple) <= set(turning) else None
+        point = crossing(ordinary, i, i + 1) if set(triple) <= set(turning) else None
         if point is None or any(_lever(ordinary, i + 2, point)):
             continue
         name = WRIST if i + 2 == turning[-1] else SHOULDER if i == turning[0] else ""
@@ -231,7 +231,7 @@ def _flat(posture: Posture, joints: tuple[int, int, int]) -> bool:
 
 def _meeting_point(posture: Posture, first: int) -> Numbers:
     """Where an axis meets the next one, which it always does."""
-    return _crossing(posture, first, first + 1) or posture.points[first]
+    return crossing(posture, first, first + 1) or posture.points[first]
 
 
 def _coplanar(posture: Posture, i: int, j: int, k: int | _Place) -> bool:
@@ -241,7 +241,7 @@ def _coplanar(posture: Posture, i: int, j: int, k: int | _Place) -> bool:
     return _volume(posture.axes[i], gap, difference(point, posture.points[i])) == 0
 
 
-def _crossing(posture: Posture, i: int, j: int) -> Numbers | None:
+def crossing(posture: Posture, i: int, j: int) -> Numbers | None:
     """The point where two axes meet, None where they miss each other or are parallel."""
     normal = cross(posture.axes[i], posture.axes[j])
     if not any(normal) or not _meet(posture, i, j):

@@ -1,0 +1,81 @@
+"""The laws of what a controller asks for: the nearest solution, and the status of a call."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinsym.check.laws import SAME, Judge, malformed
+from kinsym.check.ledger import Ledger
+from kinsym.check.poses import wrapped
+from kinsym.check.solvers import CSolver, Floats, NumpySolver, Solutions, Solver
+
+NEAREST_LAW = "nearest returns the solution nearest to the reference"
+STATUS_LAW = "the status tells what was found"
+STATUS_AGREE_LAW = "same status"
+
+#: How far the reference is from the joint vector of the pose, in radians or lengths: now and then more than a turn.
+SPREAD = 3.0
+#: A worse answer than the best by this share is a wrong one: nine digits are a tie.
+WORSE = 1e-6
+
+
+def hold_nearest(
+    ledger: Ledger,
+    target: NumpySolver | CSolver,
+    judge: Judge,
+    *,
+    poses: Floats,
+    q: Floats,
+    rng: np.random.Generator,
+) -> None:
+    """The answer is a solution up to whole turns, and no solution is nearer.
+
+    ``poses`` (m, 4, 4) are those of ``q`` (m, n); a joint that is held keeps its value in the reference.
+    """
+    winding, free = judge.revolute & judge.kinematics.free, judge.kinematics.free
+    references = q + np.where(free, rng.normal(0.0, SPREAD, q.shape), 0.0)
+    weights = rng.uniform(0.1, 2.0, q.shape)
+    solutions, counts = target.inverse(poses, references)
+    wrong = 0
+    for row, reference in enumerate(references):
+        answer = target.nearest(poses[row], reference, weights[row])
+        every = solutions[row, : counts[row]]
+        if answer is None or not len(every):
+            wrong += (answer is None) != (not len(every))
+            continue
+        costs = (weights[row] * wrapped(every - reference, winding) ** 2).sum(axis=1)
+        own = (weights[row] * (answer - reference) ** 2).sum()
+        apart = np.abs(wrapped(every - answer, winding)) / np.maximum(1.0, np.abs(answer))
+        wrong += not (own <= costs.min() * (1.0 + WORSE) + SAME**2 and apart.max(axis=1).min() <= SAME)
+    ledger.count(NEAREST_LAW, target.name, len(q), wrong)
+
+
+def hold_status(
+    ledger: Ledger,
+    targets: Sequence[Solver],
+    answers: Mapping[str, Solutions],
+    *,
+    poses: Floats,
+    q: Floats,
+    uniform: NDArray[np.bool_],
+    which: NDArray[np.intp],
+) -> None:
+    """The status of each language fits its answer, and both say the same of poses that are not next to a border."""
+    said: dict[str, list[str]] = {}
+    for target in targets:
+        if target.name not in answers or not isinstance(target, NumpySolver | CSolver):
+            continue
+        count = answers[target.name][1]
+        said[target.name] = [target.status(poses[row], q[row]) for row in which]
+        empty = [status == "unreachable" for status in said[target.name]]
+        wrong = sum(bool(count[row]) == none for row, none in zip(which, empty, strict=True))
+        cases = list(malformed(poses[0]).values())
+        wrong += sum(target.status(case, q[0]) != "not a pose" for case in cases)
+        ledger.count(STATUS_LAW, target.name, len(which) + len(cases), wrong)
+    if len(said) > 1:
+        (left, first), (right, second) = said.items()
+        wrong = sum(a != b for a, b, plain in zip(first, second, uniform[which].tolist(), strict=True) if plain)
+        ledger.count(STATUS_AGREE_LAW, f"{left} and {right}", int(uniform[which].sum()), wrong)
