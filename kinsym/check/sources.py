@@ -68,7 +68,8 @@ def _imported(schedule: Schedule, path: Path, ledger: Ledger) -> ModuleType | No
     except Exception as error:  # the file may hold anything by now
         ledger.fail(IMPORT, NUMPY, f"{type(error).__name__}: {error}")
         return None
-    missing = [name for name in ("fk", "ik", "ik_batch", "jacobian") if not callable(getattr(module, name, None))]
+    wanted = ("fk", "ik", "ik_batch", "jacobian", "solve", "nearest")
+    missing = [name for name in wanted if not callable(getattr(module, name, None))]
     if missing:
         ledger.fail(IMPORT, NUMPY, f"it has no {', '.join(missing)}")
         return None

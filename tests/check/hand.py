@@ -192,4 +192,22 @@ def ik(T, *, reference=None, l1=0.6, l2=0.4):
         raise ValueError("shape")
     q, valid = ik_batch(T, l1=l1, l2=l2)
     return q[valid]
+
+
+class Solved:
+    def __init__(self, status):
+        self.status = status
+
+
+def solve(T, *, reference=None, l1=0.6, l2=0.4):
+    try:
+        return Solved("solved" if len(ik(T, l1=l1, l2=l2)) else "unreachable")
+    except ValueError:
+        return Solved("not a pose")
+
+
+def nearest(T, reference, *, weights, limits, l1=0.6, l2=0.4):
+    way = ik(T, l1=l1, l2=l2) - reference
+    way = way - 2 * np.pi * np.round(way / (2 * np.pi))
+    return reference + way[np.argmin((weights * way * way).sum(axis=1))] if len(way) else None
 """

@@ -6,6 +6,7 @@ import pytest
 
 from kinsym.check import examination as laws
 from kinsym.check.compare import compare
+from kinsym.check.control import NEAREST_LAW, STATUS_LAW
 from kinsym.check.report import FAILED, at_most
 from kinsym.check.sources import IMPORT
 from tests.check import hand
@@ -50,6 +51,8 @@ FAULTS = {
         "q = np.asarray(q, dtype=float)\n    l1 = 0.6\n",
         laws.FORWARD_LAW,
     ),
+    "nearest is the farthest": ("np.argmin((weights", "np.argmax((weights", NEAREST_LAW),
+    "a status that is wrong": ('"solved" if len(', '"solved" if not len(', STATUS_LAW),
     "no Python": ("import numpy as np", "import numpy as", IMPORT),
     "wrong names": ('JOINTS = ("theta1", "theta2")', 'JOINTS = ("theta2", "theta1")', IMPORT),
 }
