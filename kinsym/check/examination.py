@@ -40,7 +40,7 @@ MERGED = 1e-6
 #: solutions within tau^(1/4) of each other are one cluster, whose members miss the pose by the square of a third of it.
 CLOSE_PATH = 1e-8
 PAIR_PATH = 3e-6
-#: At one in so many of the poses nearest to a singular one, rounding may lead one answer to a solution more than another.
+#: At one in so many of the poses nearest to a singular one, rounding may lead one answer to a solution more.
 MORE_SOLUTIONS = 100
 
 TABLE_LIMIT = 1e-30
