@@ -120,9 +120,8 @@ def test_marks_are_numbers_in_the_order() -> None:
     library = CLibrary(schedule).library
     pose = np.ascontiguousarray(arm.fk(joint_vectors("value", 1)[0]))
     q, marks = np.empty((16, 7)), np.full((16, 3), 9, dtype=np.uint32)
-    count = library.seven_ik_marked(
-        *(ctypes.c_void_p(item) for item in (pose.ctypes.data, 0, 0, q.ctypes.data, marks.ctypes.data))
-    )
+    arguments = (pose.ctypes.data, None, None, q.ctypes.data, marks.ctypes.data)
+    count = library.seven_ik_marked(*map(ctypes.c_void_p, arguments))
     assert count == len(arm.ik(pose)) > 1
     assert marks[:count].tolist() == [[branch, 0, 0] for branch in range(count)]
 
