@@ -76,6 +76,7 @@ def test_whole_joint_vectors_with_the_value_exactly_as_given(kind: str) -> None:
     assert (solutions[..., place(kind)][valid] == held[valid]).all()
     reached = arm.fk(np.where(valid[..., None], solutions, 0.0))
     assert np.abs(reached - poses[:, None])[valid].max() < 1e-12
+    assert np.isnan(solutions[~valid]).all()
 
 
 @pytest.mark.parametrize("kind", ["input", "slide"])
