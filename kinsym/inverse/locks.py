@@ -6,7 +6,7 @@ many; which choices leave an arm with a closed form is found by trying them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -61,11 +61,20 @@ def check_redundancy(robot: Robot, chain: Chain, deadline: Deadline = NO_LIMIT) 
     tried = _tries(robot, rows, spare)
     found = [Choice(joints, plan) for joints in tried if (plan := _plan(_locked(robot, joints), task, deadline))]
     if not found:
-        raise NoClosedForm(f"{head}. No closed form was found with {_listed(sorted(map(' and '.join, tried)))} locked")
+        listed = _listed(sorted(map(" and ".join, tried)))
+        raise NoClosedForm(f"{head}. No closed form was found with {listed} locked{_without(robot, task, ways, tried)}")
     best = min(found, key=lambda choice: choice.order)
     listed = _listed([str(choice) for choice in sorted(found, key=lambda c: [*map(robot.variables.index, c.joints)])])
     options = " ".join(_options(_locked(robot, best.joints)))
     raise NoClosedForm(f"{head}. There is a closed form with {listed} locked. Add for example {options}")
+
+
+def _without(robot: Robot, task: Task, ways: int, tried: Sequence[tuple[str, ...]]) -> str:
+    """That six joints are solved without a closed form as well, and how to ask for it."""
+    if not tried or task is not Task.POSE or ways < FIXED[task]:
+        return ""
+    options = " ".join(_options(_locked(robot, tried[0])))
+    return f"; six joints can be solved without one. Add for example {options}"
 
 
 def _tries(robot: Robot, rows: list[list[int]], spare: int) -> list[tuple[str, ...]]:

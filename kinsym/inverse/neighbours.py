@@ -9,11 +9,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from sympy import Expr, Integer, pi
+from sympy import Expr, Integer, Symbol, pi
 
 from kinsym.errors import RobotError
 from kinsym.kinematics.chain import Chain
 from kinsym.kinematics.convert import convert
+from kinsym.kinematics.links import held_at
 from kinsym.robot.model import Convention, Joint, Robot
 
 ZERO = Integer(0)
@@ -64,12 +65,9 @@ class Change:
 
 
 def paul_table(chain: Chain) -> Robot | None:
-    """The arm as a table of Paul's, what lies before the first axis left out; None where no exact one exists.
-
-    There is none either where joints are locked: what two rows make together is no row with lengths of the user's.
-    """
-    robot = chain.robot
-    if robot.locks:
+    """The arm as a table of Paul's, what lies before the first axis left out; None where no exact one exists."""
+    robot = _held(chain.robot)
+    if robot is None:
         return None
     plain = all(joint.variable is not None for joint in robot.joints)
     if robot.convention is Convention.PAUL and plain:
@@ -82,6 +80,22 @@ def paul_table(chain: Chain) -> Robot | None:
         return convert(robot, Convention.PAUL)
     except RobotError:
         return None
+
+
+def _held(robot: Robot) -> Robot | None:
+    """The arm whose locked joints are constant rows; an input is a parameter. None for locked screws."""
+    if not robot.locks:
+        return robot
+    if robot.convention is Convention.SCREW:
+        return None
+    joints = list(robot.joints)
+    for place, joint in enumerate(joints):
+        if joint.variable in robot.locks:
+            at = {Symbol(joint.variable, real=True): held_at(robot, joint.variable)}
+            cells = {name: (getattr(joint, name) or ZERO).subs(at) for name in ("d", "theta")}
+            joints[place] = replace(joint, kind="fixed", variable=None, limits=None, **cells)
+    inputs = {name: None for name, value in robot.locks.items() if value is None}
+    return replace(robot, joints=tuple(joints), parameters={**robot.parameters, **inputs}, locks={})
 
 
 def changes(table: Robot, numbers: Sequence[int]) -> list[Change]:

@@ -97,6 +97,7 @@ def _schedule(name: str, table: str, task: Task, gate: bool) -> Schedule:
         Derivation(
             robot=replace(robot, task=task),
             chain=chain,
+            solved=chain,
             forward=forward,
             jacobian=geometric_jacobian(chain, forward),
             plan=None,

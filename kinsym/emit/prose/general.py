@@ -52,6 +52,7 @@ class _General:
         self.plan, self.name = plan, name
         self.cuts = plan.cuts or tuple(Cut.before(number) for number in plan.suppressed)
         self.cut = self.cuts[0]
+        self.locked = tuple(derivation.robot.locks)
         virtual = ["phi"] if plan.virtual else []
         self.variables = [joint.variable for joint in derivation.solved.joints] + virtual
         self.turns = {
@@ -102,6 +103,12 @@ class _General:
             f"Opened behind joint {self.cut.dropped} and gone round {way} it reads",
             Formula((product, "I"), (loop, "I")),
         ]
+        if self.locked:
+            body.insert(
+                0,
+                f"The joints are counted without {' and '.join('{' + name + '}' for name in self.locked)}: what is"
+                " locked is part of a constant transform.",
+            )
         if self.plan.virtual:
             body.insert(
                 0,

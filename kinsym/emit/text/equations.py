@@ -13,7 +13,6 @@ from kinsym.algebra.tree import Definition, Tree
 from kinsym.emit.prose.vocabulary import angle_sums, joint_angles
 from kinsym.emit.prose.wording import (
     CONVENTIONS,
-    INPUT,
     POSE,
     TASKS,
     Loop,
@@ -24,7 +23,6 @@ from kinsym.emit.prose.wording import (
     counted,
     decimal,
     found_by_sum,
-    given_joints,
     loops,
     marks_explained,
     one_line,
@@ -34,6 +32,7 @@ from kinsym.emit.prose.wording import (
     sifting,
 )
 from kinsym.emit.text.general import general_steps
+from kinsym.emit.text.given import given, held
 from kinsym.emit.text.page import Page
 from kinsym.emit.text.singular import singular_poses
 from kinsym.inverse.cut import link_letter
@@ -80,14 +79,6 @@ def table(robot: Robot, page: Page | None = None) -> str:
             parts.append(f"  {name}:\n{page.columns(cells_of, indent=4)}")
     parts += given(robot, page)
     return "\n".join(parts)
-
-
-def given(robot: Robot, page: Page) -> list[str]:
-    """A line for each locked joint."""
-    return [
-        page.prose(f"{name} is given, {INPUT}" if value is None else f"{name} = {page.formula(value)} is given")
-        for name, value in given_joints(robot)
-    ]
 
 
 def parameters(robot: Robot) -> str:
@@ -204,7 +195,7 @@ def derivation_steps(derivation: Derivation, plan: Plan, page: Page | None = Non
     windows = loops(plan, robot)
     head = [page.prose(f"given: {TASKS[plan.task]}, as entries of T = [u v w p]")]
     head += given(robot, page)
-    head += [page.equation(item.name, item.value) for item in derivation.held if item.name not in robot.locks]
+    head += held(derivation, page)
     if (first, last) not in windows:
         head.append(f"  T_{first}_{last} = T")
     head.append(page.prose("T_i_j is the part of T that joints i+1 to j make"))
