@@ -19,7 +19,11 @@ BENT = ("open_manipulator_x", "viperx_300s", "widowx_200")
 """Their upper arms reach up and forwards: as a row that is the length sqrt(a2^2 + b2^2) at an odd angle."""
 
 SKEW = "nao_left_leg"
-CONVERTIBLE = [name for name in gallery() if name not in (*BENT, SKEW)]
+
+ODD = "raven_2"
+"""As screws its cosines of 75 and 128 degrees are other constants, so that coefficients cannot be compared."""
+
+CONVERTIBLE = [name for name in gallery() if name not in (*BENT, SKEW, ODD)]
 
 Terms = dict[frozenset[tuple[str, int]], Fraction]
 
