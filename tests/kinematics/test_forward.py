@@ -13,7 +13,7 @@ from kinsym.robot.model import Robot
 from tests.arms import FRAMED, NAMES, derivation, numpy_module, robot
 from tests.kinematics.exact import home, identity, of_chain, of_tree, product, sample, times
 
-SKEW = ("nao_left_leg", "raven_2", "skew_wrist", "skew_shoulder", "symbolic_pieper", FRAMED)
+SKEW = ("kinova_jaco", "nao_left_leg", "raven_2", "skew_wrist", "skew_shoulder", "symbolic_pieper", FRAMED)
 RIGHT_ANGLED = [name for name in NAMES if name not in SKEW]
 
 
