@@ -14,7 +14,9 @@ from tests.arms import FRAMED, NAMES, derivation, numpy_module, robot
 from tests.kinematics.exact import home, identity, of_chain, of_tree, product, sample, times
 
 SKEW = (
+    "kinova_jaco",
     "nao_left_leg",
+    "raven_2",
     "skew_wrist",
     "skew_shoulder",
     "symbolic_pieper",

@@ -1,8 +1,8 @@
 """Robots as their sources print them, to hold the tables of the gallery against.
 
 URDF: one line a joint with the numbers of the file, ``x y z  roll pitch yaw  ax ay az``, or ``fixed`` for the axis.
-Tables: ``alpha a d theta kind`` with the offset in the place of the variable. Nothing is summed or simplified, but
-right angles that a file rounds to four or five digits are written as they are meant. Sources: see the robots' files.
+Tables: ``alpha a d theta kind`` with the offset in the place of the variable, -R for a joint counted backwards. Nothing
+is summed or simplified, but right angles that a file rounds to four or five digits are written as they are meant.
 """
 
 from __future__ import annotations
@@ -135,6 +135,37 @@ URDF = {
         0.024 0 0.128  0 0 0  0 1 0
         0.124 0 0      0 0 0  0 1 0
         0.126 0 0      0 0 0  fixed""",
+    "ufactory_xarm6": """
+        0 0 0.267      0 0 0  0 0 1
+        0 0 0          -pi/2 0 0  0 0 1
+        0.0535 -0.2845 0  0 0 0  0 0 1
+        0.0775 0.3425 0  -pi/2 0 0  0 0 1
+        0 0 0          pi/2 0 0  0 0 1
+        0.076 0.097 0  -pi/2 0 0  0 0 1""",
+    "fanuc_crx10ial": """
+        0 0 0.245      0 0 0  0 0 1
+        0 0 0          0 0 0  0 1 0
+        0 0 0.710      0 0 0  0 -1 0
+        0 0 0          0 0 0  -1 0 0
+        0.540 -0.150 0  0 0 0  0 -1 0
+        0.160 0 0      0 0 0  -1 0 0
+        0 0 0          pi -pi/2 0  fixed""",
+    "kinova_gen3_lite": """
+        0 0 0.12825    0 0 0  0 0 1
+        0 -0.03 0.115  pi/2 0 0  0 0 1
+        0 0.28 0       -pi 0 0  0 0 1
+        0 -0.14 0.02   pi/2 0 0  0 0 1
+        0.0285 0 0.105  0 pi/2 0  0 0 1
+        -0.105 0 0.0285  0 -pi/2 0  0 0 1""",
+    "kinova_gen3_7dof": """
+        0 0 0.15643    pi 0 0  0 0 1
+        0 0.005375 -0.12838  pi/2 0 0  0 0 1
+        0 -0.21038 -0.006375  -pi/2 0 0  0 0 1
+        0 0.006375 -0.21038  pi/2 0 0  0 0 1
+        0 -0.20843 -0.006375  -pi/2 0 0  0 0 1
+        0 0.00017505 -0.10593  pi/2 0 0  0 0 1
+        0 -0.10593 -0.00017505  -pi/2 0 0  0 0 1
+        0 0 -0.061525  pi 0 0  fixed""",
 }
 
 TABLES = {
@@ -196,6 +227,57 @@ TABLES = {
         -pi/2 0 0 0 R
         pi/2 0 0 0 R
         0 0 0 0 R""",
+    "dvrk_psm": """craig
+        pi/2 0 0 pi/2 R
+        -pi/2 0 0 -pi/2 R
+        pi/2 0 -0.4318 0 P
+        0 0 0.4162 0 R
+        -pi/2 0 0 -pi/2 R
+        -pi/2 0.0091 0 -pi/2 R""",
+    "raven_2": """craig
+        0 0 0 0 R
+        75*pi/180 0 0 0 R
+        pi-52*pi/180 0 0 pi/2 P
+        0 0 -0.47 0 R
+        pi/2 0 0 0 R
+        pi/2 0.013 0 0 R""",
+    "kinova_jaco": """paul
+        pi/2 0 0.2755 0 -R
+        pi 0.410 0 -pi/2 R
+        pi/2 0 -0.0098 pi/2 R
+        pi/3 0 -0.250197125 0 R
+        pi/3 0 -0.08579425 -pi R
+        pi 0 -0.211597125 100*pi/180 R""",
+    "kinova_link6": """craig
+        0 0 0.1905 0 -R
+        -pi/2 0.11024 -0.022447 -pi/2 -R
+        0 0.485 0 -pi/2 R
+        -pi/2 0 0.37491 0 -R
+        pi/2 0 0.139879 pi/2 -R
+        -pi/2 0.086 0.179028 pi/2 -R""",
+    "franka_panda": """craig
+        0 0 0.333 0 R
+        -pi/2 0 0 0 R
+        pi/2 0 0.316 0 R
+        pi/2 0.0825 0 0 R
+        -pi/2 -0.0825 0.384 0 R
+        pi/2 0 0 0 R
+        pi/2 0.088 0.107 0 R""",
+    "rethink_sawyer": """paul
+        -pi/2 0.081 0.317 0 R
+        -pi/2 0 0.1925 0 R
+        -pi/2 0 0.400 0 R
+        -pi/2 0 0.1685 0 R
+        -pi/2 0 0.400 0 R
+        -pi/2 0 0.1363 0 R
+        0 0 0.13375 0 R""",
+    "comau_racer3": """craig
+        0 0 0.365 0 -R
+        -pi/2 0.050 0 -pi/2 R
+        0 0.270 0 -pi/2 -R
+        -pi/2 0.050 0.30594 0 -R
+        pi/2 0 0 0 R
+        -pi/2 0 0.080 pi -R""",
 }
 
 
@@ -217,7 +299,7 @@ def table_pose(name: str, q: list[float]) -> Floats:
     for row, value in zip(rows, q, strict=True):
         *cells, kind = row.split()
         alpha, a, d, theta = (_number(cell) for cell in cells)
-        turned = theta + (value if kind == "R" else 0.0)
+        turned = theta + {"R": value, "-R": -value, "P": 0.0}[kind]
         about_z = _origin([0, 0, d + (value if kind == "P" else 0.0)], [0, 0, turned])
         about_x = _origin([a, 0, 0], [alpha, 0, 0])
         pose = pose @ (about_z @ about_x if convention == "paul" else about_x @ about_z)

@@ -10,7 +10,7 @@ from kinsym.robot import load
 from tests.robot.published import TABLES, URDF, Floats, table_pose, urdf_pose
 
 #: Two joint vectors of no symmetry; sliding joints take the same numbers in metres.
-VECTORS = ([0.3, -0.7, 1.1, 0.4, -0.9, 2.1], [-1.2, 0.5, -0.4, 2.0, 0.8, -0.6])
+VECTORS = ([0.3, -0.7, 1.1, 0.4, -0.9, 2.1, 0.2], [-1.2, 0.5, -0.4, 2.0, 0.8, -0.6, 1.5])
 
 #: Sources round right angles: Techman's and Yaskawa's files write pi/2 with seven digits.
 ROUNDED = 2e-6
@@ -56,3 +56,11 @@ def test_comau_at_zero() -> None:
     pose = pose_of("comau_racer3", [0.0, 0.0, -np.pi / 2, 0.0, 0.0, 0.0])
     assert np.abs(pose[:3, 3] - [0.05 + 0.30594 + 0.08, 0, 0.365 + 0.27 + 0.05]).max() < 1e-12
     assert np.abs(pose[:3, 2] - [1, 0, 0]).max() < 1e-12
+
+
+def test_links_of_the_jaco() -> None:
+    # Its two bends of 60 degrees: sin(30) / sin(60) of D4 and D5 belong to each of the links beside them (Jaco.py).
+    share = np.sin(np.pi / 6) / np.sin(np.pi / 3)
+    wanted = {"d4": 0.2073 + share * 0.0743, "d5": 2 * share * 0.0743, "d6": share * 0.0743 + 0.1687}
+    given = load("kinova_jaco").parameters
+    assert {name: float(given[name] or 0) for name in wanted} == pytest.approx(wanted, abs=5e-9)
