@@ -107,7 +107,35 @@ LOCKED: dict[str, tuple[str, str, dict[str, str | None]]] = {
 """Arms with locked joints: convention, table (a gallery name for screws), locks."""
 
 FRAMED = "framed"
-NAMES = (*gallery(), *SHAPES, *LOCKED, FRAMED)
+KINDS = (
+    "abb_irb6620lx",
+    "adept_cobra600",
+    "aubo_i5",
+    "brooks_pf400",
+    "cylindrical_rpp",
+    "elbow_6r_screw",
+    "elbow_rrr",
+    "fanuc_s900w",
+    "kinova_j2s6s300",
+    "kuka_iiwa",
+    "kuka_youbot",
+    "nao_left_leg",
+    "open_manipulator_x",
+    "planar_rr",
+    "planar_rrr_craig",
+    "planar_rrr_paul",
+    "planar_rrr_screw",
+    "puma560",
+    "scara",
+    "scorbot_5r",
+    "spherical_wrist",
+    "stanford_paul",
+    "stanford_screw",
+    "ur5",
+)
+"""Of the gallery one arm of each kind that has a closed form; ``test_generated.py`` takes every robot."""
+
+NAMES = (*KINDS, *SHAPES, *LOCKED, FRAMED)
 
 
 @cache

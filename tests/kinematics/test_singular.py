@@ -81,7 +81,6 @@ KNOWN = {
 }
 
 
-SQUARE = [name for name in NAMES if derivation(name).singular.square]
 ROWS = {Task.PLANAR: (0, 1, 5), Task.SCARA: (0, 1, 2, 5)}
 
 
@@ -110,11 +109,14 @@ def test_known_arms(name: str) -> None:
     assert found.split
 
 
-@pytest.mark.parametrize("name", SQUARE)
+@pytest.mark.parametrize("name", NAMES)
 def test_the_product_is_the_determinant(name: str) -> None:
+    """Where there is one: a Jacobian that is not square has none, and the factors of some were not looked for."""
     arm = derivation(name)
     for posture in somewhere(arm.solved, 3):
-        assert determinant(matrix(arm.plan.task, posture)) == value(arm.singular, posture)
+        slopes = matrix(arm.plan.task, posture)
+        if arm.singular.square:
+            assert determinant(slopes) == value(arm.singular, posture)
 
 
 @pytest.mark.parametrize("name", NAMES)
