@@ -10,12 +10,16 @@ import numpy as np
 import pytest
 
 from kinsym.check.solvers import CSolver, ExactSolver
+from kinsym.deadline import Deadline
 from kinsym.derivation import Derivation, derive
 from kinsym.emit.latex.document import document
 from kinsym.emit.program import build_schedule
 from kinsym.emit.text.equations import equations
 from kinsym.errors import DeadlineExceeded, NoClosedForm
+from kinsym.general.calibrate import calibrated
+from kinsym.general.select import general_plan
 from kinsym.robot import from_inline, lock
+from kinsym.robot.model import Task
 from tests.emit.built import CLibrary, needs_compiler
 from tests.general.arms import run
 
@@ -140,6 +144,8 @@ def test_an_arm_with_a_joint_to_spare_is_told_how_to_lock_it() -> None:
 
 
 def test_the_deadline_ends_the_choice_of_cuts() -> None:
-    robot = lock(from_inline(table("input"), convention="paul", name="seven"), LOCKS["input"])
-    with pytest.raises(DeadlineExceeded, match="no closed form, the ways round the loop are compared"):
-        derive(robot, deadline=3.0)
+    over = Deadline(1e-9)
+    with pytest.raises(DeadlineExceeded, match="the ways round the loop are looked at"):
+        general_plan(locked("input").solved, Task.POSE, "why", over)
+    with pytest.raises(DeadlineExceeded, match="the ways round the loop are compared"):
+        calibrated(build_schedule(locked("input")), over)
