@@ -10,7 +10,7 @@ from typing import Any
 from kinsym.derivation import Derivation, derive
 from kinsym.emit import TARGETS
 from kinsym.emit.program import build_schedule
-from kinsym.robot import from_inline, gallery, load, lock, to_toml
+from kinsym.robot import from_inline, load, lock, to_toml
 from kinsym.robot.files import from_draft
 from kinsym.robot.model import Robot
 

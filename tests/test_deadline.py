@@ -23,7 +23,7 @@ TABLES = {
     "pieper": LONG.replace("a4 d4", "0 d4").replace("a5 d5", "0 0"),
     "sliding": LONG.replace("d2 theta2", "d2 0").replace("a4 d4", "0 d4").replace("a5 d5", "0 0"),
 }
-OVERSHOOT = 0.3
+OVERSHOOT = 1.0
 
 
 @pytest.mark.parametrize("name", TABLES)

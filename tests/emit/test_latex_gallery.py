@@ -15,8 +15,7 @@ from kinsym.derivation import Derivation, derive
 from kinsym.emit.latex import document
 from kinsym.emit.text import equations
 from kinsym.robot import load
-from kinsym.robot.catalogue import gallery
-from tests.arms import SHAPES, robot
+from tests.arms import KINDS, SHAPES, robot
 
 # A twist of 30 degrees, offsets in every cell, names of 35 letters, joints without numbers, base and tool.
 TILTED = r"""
@@ -49,7 +48,7 @@ def derived(name: str) -> Derivation:
     return derive(load(name))
 
 
-@pytest.fixture(params=[*gallery(), "tilted", "puma560 in numbers", "symbolic_pieper"])
+@pytest.fixture(params=[*KINDS, "tilted", "puma560 in numbers", "symbolic_pieper"])
 def derivation(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Derivation:
     if request.param == "tilted":
         path = tmp_path_factory.mktemp("robots") / "tilted.toml"

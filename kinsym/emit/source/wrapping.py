@@ -15,7 +15,7 @@ _SHORTEST = 0.45
 
 
 #: How late an operator is taken for a cut; a space after a comma counts as 0.
-_RANKS = {"+": 0, "-": 0, "&&": 0, "*": 1, "/": 1}
+_RANKS = {"+": 0, "-": 0, "&&": 0, "|": 0, ":": 0, "*": 1, "/": 1}
 
 
 def _cuts(text: str) -> Iterator[tuple[int, int, int]]:
