@@ -17,6 +17,7 @@
  */
 #include "cylindrical_rpp.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stddef.h>
 
@@ -26,6 +27,14 @@ static double angle_of(double s, double c)
     const double pi = 3.141592653589793;
     const double angle = atan2(s, c);
     return angle <= -pi ? pi : angle;
+}
+
+/* The same angle in (-pi, pi]. */
+static double wrap(double angle)
+{
+    const double pi = 3.141592653589793;
+    const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
+    return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
 void cylindrical_rpp_fk(const double q[CYLINDRICAL_RPP_JOINTS], const cylindrical_rpp_params *p, double T[16])
@@ -92,19 +101,31 @@ void cylindrical_rpp_jacobian(const double q[CYLINDRICAL_RPP_JOINTS], const cyli
     J[17] = 0.0;
 }
 
+/* The marks of a root: its unknown is free; two roots meet in it; it lies so near to one of these that its last digits
+ * are lost; it may not exist. */
+#define IS_FREE 1
+#define IS_BORDER 2
+#define IS_SOFT 4
+#define IS_DOUBTFUL 8
+
+/* How far beside a special pose a root is marked, in tolerances: a millionth of the equation's unit. */
+#define NEAR 67108864.0
+
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2])
+static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
         c[0] = cos(reference);
         s[0] = sin(reference);
+        mark[0] = IS_FREE;
         return 1;
     }
     c[0] = b / r;
     s[0] = -a / r;
     c[1] = -c[0];
     s[1] = -s[0];
+    mark[0] = mark[1] = r <= NEAR * t ? IS_SOFT : 0;
     return 2;
 }
 
@@ -167,8 +188,145 @@ static int all_finite(const double q[CYLINDRICAL_RPP_JOINTS])
     return 1;
 }
 
-int cylindrical_rpp_ik_near(const double T[16], const cylindrical_rpp_params *p,
-    const double reference[CYLINDRICAL_RPP_JOINTS], double q[][CYLINDRICAL_RPP_JOINTS])
+/* The entries of the pose that the task asks for, by their place in a matrix. */
+#define ENTRIES 3
+static const int entry_of[ENTRIES] = {3, 7, 11};
+
+/* Whether a joint slides. */
+static const int slides[CYLINDRICAL_RPP_JOINTS] = {0, 1, 1};
+
+/* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
+static double distance(const double q[CYLINDRICAL_RPP_JOINTS], const cylindrical_rpp_params *p,
+    const double M[12], double size, double e[ENTRIES])
+{
+    double T[16], sum = 0.0;
+    cylindrical_rpp_fk(q, p, T);
+    for (int i = 0; i < ENTRIES; ++i) {
+        e[i] = (T[entry_of[i]] - M[entry_of[i]]) / (entry_of[i] % 4 == 3 ? size : 1.0);
+        sum += e[i] * e[i];
+    }
+    return sqrt(sum);
+}
+
+/* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
+ * angular velocity. */
+static void slopes(const double q[CYLINDRICAL_RPP_JOINTS], const cylindrical_rpp_params *p, double size,
+    double D[ENTRIES][CYLINDRICAL_RPP_JOINTS])
+{
+    double T[16], J[6 * CYLINDRICAL_RPP_JOINTS];
+    cylindrical_rpp_fk(q, p, T);
+    cylindrical_rpp_jacobian(q, p, J);
+    for (int i = 0; i < ENTRIES; ++i) {
+        const int row = entry_of[i] / 4, column = entry_of[i] % 4, next = (row + 1) % 3, last = (row + 2) % 3;
+        for (int j = 0; j < CYLINDRICAL_RPP_JOINTS; ++j) {
+            const double *v = J + j, *w = v + 3 * CYLINDRICAL_RPP_JOINTS;
+            const double turned = w[next * CYLINDRICAL_RPP_JOINTS] * T[4 * last + column]
+                - w[last * CYLINDRICAL_RPP_JOINTS] * T[4 * next + column];
+            D[i][j] = column == 3 ? v[row * CYLINDRICAL_RPP_JOINTS] / size : turned;
+            D[i][j] *= slides[j] ? size : 1.0;
+        }
+    }
+}
+
+/* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
+ * orthogonal to each other (modified Gram and Schmidt, the right side last). */
+static void step(double D[ENTRIES][CYLINDRICAL_RPP_JOINTS], const double e[ENTRIES], double damping,
+    double g[CYLINDRICAL_RPP_JOINTS])
+{
+    double A[CYLINDRICAL_RPP_JOINTS + 1][ENTRIES + CYLINDRICAL_RPP_JOINTS];
+    double R[CYLINDRICAL_RPP_JOINTS][CYLINDRICAL_RPP_JOINTS + 1];
+    for (int i = 0; i <= CYLINDRICAL_RPP_JOINTS; ++i) {
+        for (int k = 0; k < ENTRIES + CYLINDRICAL_RPP_JOINTS; ++k) {
+            A[i][k] = k >= ENTRIES ? (k == ENTRIES + i ? damping : 0.0) : i < CYLINDRICAL_RPP_JOINTS ? D[k][i] : e[k];
+        }
+    }
+    for (int i = 0; i < CYLINDRICAL_RPP_JOINTS; ++i) {
+        for (int j = i; j <= CYLINDRICAL_RPP_JOINTS; ++j) {
+            R[i][j] = 0.0;
+            for (int k = 0; k < ENTRIES + CYLINDRICAL_RPP_JOINTS; ++k) {
+                R[i][j] += A[i][k] * A[j][k];
+            }
+            R[i][j] = j == i ? sqrt(R[i][i]) : R[i][j] / R[i][i];
+            for (int k = 0; k < ENTRIES + CYLINDRICAL_RPP_JOINTS; ++k) {
+                A[j][k] -= j == i ? 0.0 : R[i][j] / R[i][i] * A[i][k];
+            }
+        }
+    }
+    for (int i = CYLINDRICAL_RPP_JOINTS - 1; i >= 0; --i) {
+        g[i] = R[i][CYLINDRICAL_RPP_JOINTS];
+        for (int k = i + 1; k < CYLINDRICAL_RPP_JOINTS; ++k) {
+            g[i] -= R[i][k] * g[k];
+        }
+        g[i] /= R[i][i];
+    }
+}
+
+/* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
+ * Jacobian loses rank. Returns the distance. */
+static double polish(double q[CYLINDRICAL_RPP_JOINTS], const cylindrical_rpp_params *p, const double M[12],
+    double size)
+{
+    double e[ENTRIES], D[ENTRIES][CYLINDRICAL_RPP_JOINTS], g[CYLINDRICAL_RPP_JOINTS], trial[CYLINDRICAL_RPP_JOINTS];
+    double left = distance(q, p, M, size, e), caution = 1.0;
+    for (int pass = 0; pass < 40 && left > 1e-15 && caution < 1e9; ++pass) {
+        slopes(q, p, size, D);
+        step(D, e, fmax(left, 1e-14) * caution, g);
+        for (int i = 0; i < CYLINDRICAL_RPP_JOINTS; ++i) {
+            trial[i] = q[i] - (slides[i] ? size : 1.0) * g[i];
+        }
+        const double reached = distance(trial, p, M, size, e);
+        if (reached < left) {
+            for (int i = 0; i < CYLINDRICAL_RPP_JOINTS; ++i) {
+                q[i] = trial[i];
+            }
+            left = reached;
+            caution *= 0.1;
+        } else {
+            distance(q, p, M, size, e);
+            caution *= 10.0;
+        }
+    }
+    return left;
+}
+
+/* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
+ * Where two borders cross the distance is stationary, and a second start lies beside it. */
+static int settle(double q[][CYLINDRICAL_RPP_JOINTS], int mark, const cylindrical_rpp_params *p,
+    const double M[12], double tau, double size)
+{
+    double e[ENTRIES], start[CYLINDRICAL_RPP_JOINTS], other[CYLINDRICAL_RPP_JOINTS];
+    const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
+    double left = distance(q[0], p, M, unit, e);
+    if (!(left > reach)) {
+        return left <= reach;
+    }
+    for (int i = 0; i < CYLINDRICAL_RPP_JOINTS; ++i) {
+        start[i] = q[0][i];
+    }
+    left = polish(q[0], p, M, unit);
+    for (int trial = 1; trial < 4 && left > reach; ++trial) {
+        const double beside = pow(left, 1.0 / (1.0 + trial));
+        for (int i = 0; i < CYLINDRICAL_RPP_JOINTS; ++i) {
+            other[i] = start[i] + beside * (slides[i] ? unit : 1.0) * cos(1.0 + i);
+        }
+        const double reached = polish(other, p, M, unit);
+        for (int i = 0; i < CYLINDRICAL_RPP_JOINTS && reached < left; ++i) {
+            q[0][i] = other[i];
+        }
+        left = fmin(left, reached);
+    }
+    int found = left <= ((mark & IS_DOUBTFUL) ? fmax(1e-12, reach) : fmax(1e-9, reach));
+    for (int k = 0; k < found; ++k) {
+        for (int i = 0; i < CYLINDRICAL_RPP_JOINTS; ++i) {
+            q[k][i] = slides[i] ? q[k][i] : wrap(q[k][i]);
+        }
+    }
+    return found;
+}
+
+int cylindrical_rpp_ik_marked(const double T[16], const cylindrical_rpp_params *p,
+    const double reference[CYLINDRICAL_RPP_JOINTS], double q[][CYLINDRICAL_RPP_JOINTS],
+    cylindrical_rpp_mark marks[])
 {
     static const double zeros[CYLINDRICAL_RPP_JOINTS] = {0.0};
     if (reference == NULL) {
@@ -195,9 +353,11 @@ int cylindrical_rpp_ik_near(const double T[16], const cylindrical_rpp_params *p,
 
     /* (2) theta1: homogeneous equation a c + b s = 0: c1*p_x + s1*p_y = 0 */
     double c1_roots[2], s1_roots[2];
-    const int n1 = solve_homogeneous(p_x, p_y, tau * size, reference[0], c1_roots, s1_roots);
+    int mark2_roots[2];
+    const int n1 = solve_homogeneous(p_x, p_y, tau * size, reference[0], c1_roots, s1_roots, mark2_roots);
     for (int i1 = 0; i1 < n1; ++i1) {
         const double c1 = c1_roots[i1], s1 = s1_roots[i1];
+        const int mark2 = mark2_roots[i1];
         const double theta1 = angle_of(s1, c1);
 
         /* (3) d3: linear in a prismatic variable: c1*p_y - s1*p_x - d3 = 0 */
@@ -206,13 +366,201 @@ int cylindrical_rpp_ik_near(const double T[16], const cylindrical_rpp_params *p,
         q[count][0] = theta1;
         q[count][1] = d2;
         q[count][2] = d3;
-        count += all_finite(q[count]);
+        const unsigned branch = (unsigned)(i1);
+        marks[count].branch = branch;
+        const int mark = mark2;
+        marks[count].free = (mark2 & IS_FREE ? 1u : 0u);
+        marks[count].border = 0;
+        count += mark ? settle(q + count, mark, p, M, tau, size) : all_finite(q[count]);
     }
     return count;
+}
+
+int cylindrical_rpp_ik_near(const double T[16], const cylindrical_rpp_params *p,
+    const double reference[CYLINDRICAL_RPP_JOINTS], double q[][CYLINDRICAL_RPP_JOINTS])
+{
+    cylindrical_rpp_mark marks[CYLINDRICAL_RPP_MAX_SOLUTIONS];
+    return cylindrical_rpp_ik_marked(T, p, reference, q, marks);
 }
 
 int cylindrical_rpp_ik(const double T[16], const cylindrical_rpp_params *p,
     double q[][CYLINDRICAL_RPP_JOINTS])
 {
     return cylindrical_rpp_ik_near(T, p, NULL, q);
+}
+
+const char *const cylindrical_rpp_branches[CYLINDRICAL_RPP_MAX_SOLUTIONS] = {
+    "d3 > 0",
+    "d3 < 0",
+};
+
+const double cylindrical_rpp_lower[CYLINDRICAL_RPP_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+const double cylindrical_rpp_upper[CYLINDRICAL_RPP_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+
+/* A letter for each joint: R is wound by whole turns, P slides. */
+static const char kinds[] = "RPP";
+
+/* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
+#define TURN 6.283185307179586
+#define SLACK 1e-12
+
+/* Whether these are numbers; NULL counts as such. */
+static int are_numbers(const double x[CYLINDRICAL_RPP_JOINTS])
+{
+    for (int i = 0; x != NULL && i < CYLINDRICAL_RPP_JOINTS; ++i) {
+        if (!isfinite(x[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* Whether the limits of every joint are an interval. Written so that NaN fails. */
+static int all_intervals(const double lower[CYLINDRICAL_RPP_JOINTS], const double upper[CYLINDRICAL_RPP_JOINTS])
+{
+    for (int i = 0; i < CYLINDRICAL_RPP_JOINTS; ++i) {
+        if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
+static void turns_of(int i, double x, double low, double high, double *first, double *last)
+{
+    const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
+    *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
+    *last = kinds[i] == 'R' ? floor(end / TURN) : 0.0;
+}
+
+/* The value of joint i after whole turns, inside the limits that it is within the slack of. */
+static double moved(int i, double x, double turns, double low, double high)
+{
+    return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
+}
+
+/* What a solution with this mark comes to. */
+static cylindrical_rpp_status status_of(cylindrical_rpp_mark special)
+{
+    return special.free | special.border ? CYLINDRICAL_RPP_SINGULAR : CYLINDRICAL_RPP_SOLVED;
+}
+
+cylindrical_rpp_status cylindrical_rpp_solve(const double T[16], const cylindrical_rpp_params *p,
+    const double reference[CYLINDRICAL_RPP_JOINTS], cylindrical_rpp_solutions *out)
+{
+    out->count = 0;
+    out->status = CYLINDRICAL_RPP_BAD_REFERENCE;
+    if (!are_numbers(reference)) {
+        return out->status;
+    }
+    const int count = cylindrical_rpp_ik_marked(T, p, reference, out->q, out->marks);
+    if (count <= 0) {
+        out->status = count == CYLINDRICAL_RPP_NOT_A_POSE ? CYLINDRICAL_RPP_NOT_A_POSE
+            : count == CYLINDRICAL_RPP_BAD_PARAMETER ? CYLINDRICAL_RPP_BAD_PARAMETER : CYLINDRICAL_RPP_UNREACHABLE;
+        return out->status;
+    }
+    out->count = count;
+    out->status = CYLINDRICAL_RPP_SOLVED;
+    for (int k = 0; k < count; ++k) {
+        if (status_of(out->marks[k]) == CYLINDRICAL_RPP_SINGULAR) {
+            out->status = CYLINDRICAL_RPP_SINGULAR;
+        }
+    }
+    return out->status;
+}
+
+unsigned cylindrical_rpp_family(unsigned free)
+{
+    unsigned moving = free;
+    return moving;
+}
+
+int cylindrical_rpp_within(const double T[16], const cylindrical_rpp_params *p,
+    const double reference[CYLINDRICAL_RPP_JOINTS], const double lower[CYLINDRICAL_RPP_JOINTS],
+    const double upper[CYLINDRICAL_RPP_JOINTS], int capacity, double q[][CYLINDRICAL_RPP_JOINTS],
+    cylindrical_rpp_mark marks[])
+{
+    const double *low = lower == NULL ? cylindrical_rpp_lower : lower;
+    const double *high = upper == NULL ? cylindrical_rpp_upper : upper;
+    cylindrical_rpp_solutions found;
+    double total = 0.0;
+    int used = 0;
+    if (!all_intervals(low, high)) {
+        return CYLINDRICAL_RPP_BAD_LIMIT;
+    }
+    if (cylindrical_rpp_solve(T, p, reference, &found) <= 0) {
+        return found.status;
+    }
+    for (int k = 0; k < found.count; ++k) {
+        double first[CYLINDRICAL_RPP_JOINTS], last[CYLINDRICAL_RPP_JOINTS], turns[CYLINDRICAL_RPP_JOINTS], number = 1.0;
+        for (int i = 0; i < CYLINDRICAL_RPP_JOINTS; ++i) {
+            turns_of(i, found.q[k][i], low[i], high[i], &first[i], &last[i]);
+            if (kinds[i] == 'R' && !(isfinite(low[i]) && isfinite(high[i]))) {
+                first[i] = fmax(first[i], 0.0);
+                last[i] = fmin(last[i], 0.0);
+            }
+            turns[i] = first[i];
+            number *= fmax(last[i] - first[i] + 1.0, 0.0);
+        }
+        total += number;
+        for (double done = 0.0; done < number && used < capacity; done += 1.0) {
+            for (int i = 0; i < CYLINDRICAL_RPP_JOINTS; ++i) {
+                q[used][i] = moved(i, found.q[k][i], turns[i], low[i], high[i]);
+            }
+            marks[used] = found.marks[k];
+            ++used;
+            for (int i = CYLINDRICAL_RPP_JOINTS - 1; i >= 0; --i) {
+                if (turns[i] < last[i]) {
+                    turns[i] += 1.0;
+                    break;
+                }
+                turns[i] = first[i];
+            }
+        }
+    }
+    return total < INT_MAX ? (int)total : INT_MAX;
+}
+
+cylindrical_rpp_status cylindrical_rpp_nearest(const double T[16], const cylindrical_rpp_params *p,
+    const double reference[CYLINDRICAL_RPP_JOINTS], const double weights[CYLINDRICAL_RPP_JOINTS],
+    const double lower[CYLINDRICAL_RPP_JOINTS], const double upper[CYLINDRICAL_RPP_JOINTS],
+    double q[CYLINDRICAL_RPP_JOINTS])
+{
+    const double *low = lower == NULL ? cylindrical_rpp_lower : lower;
+    const double *high = upper == NULL ? cylindrical_rpp_upper : upper;
+    cylindrical_rpp_solutions found;
+    cylindrical_rpp_status status = CYLINDRICAL_RPP_UNREACHABLE;
+    double least = HUGE_VAL;
+    if (!all_intervals(low, high)) {
+        return CYLINDRICAL_RPP_BAD_LIMIT;
+    }
+    for (int i = 0; weights != NULL && i < CYLINDRICAL_RPP_JOINTS; ++i) {
+        if (!(weights[i] >= 0.0 && weights[i] < HUGE_VAL)) {
+            return CYLINDRICAL_RPP_BAD_WEIGHT;
+        }
+    }
+    if (cylindrical_rpp_solve(T, p, reference, &found) <= 0) {
+        return found.status;
+    }
+    for (int k = 0; k < found.count; ++k) {
+        double trial[CYLINDRICAL_RPP_JOINTS], cost = 0.0;
+        int fits = 1;
+        for (int i = 0; i < CYLINDRICAL_RPP_JOINTS; ++i) {
+            const double x = found.q[k][i], wanted = reference == NULL ? 0.0 : reference[i];
+            double first, last;
+            turns_of(i, x, low[i], high[i], &first, &last);
+            fits = fits && first <= last;
+            trial[i] = moved(i, x, fmin(fmax(ceil((wanted - x) / TURN - 0.5), first), last), low[i], high[i]);
+            cost += (weights == NULL ? 1.0 : weights[i]) * ((trial[i] - wanted) * (trial[i] - wanted));
+        }
+        if (fits && (status == CYLINDRICAL_RPP_UNREACHABLE || cost < least * (1.0 - 1e-9))) {
+            status = status_of(found.marks[k]);
+            least = cost;
+            for (int i = 0; i < CYLINDRICAL_RPP_JOINTS; ++i) {
+                q[i] = trial[i];
+            }
+        }
+    }
+    return status;
 }

@@ -38,9 +38,17 @@ extern "C" {
 #define CYLINDRICAL_RPP_JOINTS 3
 #define CYLINDRICAL_RPP_MAX_SOLUTIONS 2
 
-/* What cylindrical_rpp_ik returns instead of a number of solutions. */
-#define CYLINDRICAL_RPP_NOT_A_POSE (-1)
-#define CYLINDRICAL_RPP_BAD_PARAMETER (-2)
+/* What a call came to. Functions that return a number of solutions return a negative value instead of one. */
+typedef enum cylindrical_rpp_status {
+    CYLINDRICAL_RPP_UNREACHABLE = 0, /* no solution */
+    CYLINDRICAL_RPP_SOLVED = 1,
+    CYLINDRICAL_RPP_SINGULAR = 2, /* solved, with a joint that is free or on a border */
+    CYLINDRICAL_RPP_NOT_A_POSE = -1,
+    CYLINDRICAL_RPP_BAD_PARAMETER = -2,
+    CYLINDRICAL_RPP_BAD_REFERENCE = -3,
+    CYLINDRICAL_RPP_BAD_LIMIT = -4,
+    CYLINDRICAL_RPP_BAD_WEIGHT = -5
+} cylindrical_rpp_status;
 
 /* The parameters of the table. */
 typedef struct cylindrical_rpp_params {
@@ -55,6 +63,13 @@ void cylindrical_rpp_fk(const double q[CYLINDRICAL_RPP_JOINTS], const cylindrica
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
 void cylindrical_rpp_jacobian(const double q[CYLINDRICAL_RPP_JOINTS], const cylindrical_rpp_params *p,
     double J[6 * CYLINDRICAL_RPP_JOINTS]);
+
+/*
+ * Singular poses:
+ *   d3 = 0: shoulder singularity: the end point lies on axis 1.
+ * Families of solutions; a free joint takes its value in the reference:
+ *   d3 = 0: theta1 is free; d2 stays constant.
+ */
 
 /* Inverse kinematics: every solution of the pose T, angles in (-pi, pi], a fixed order of branches.
  *
@@ -71,6 +86,65 @@ int cylindrical_rpp_ik(const double T[16], const cylindrical_rpp_params *p,
  * reference that is NULL is all zeros. */
 int cylindrical_rpp_ik_near(const double T[16], const cylindrical_rpp_params *p,
     const double reference[CYLINDRICAL_RPP_JOINTS], double q[][CYLINDRICAL_RPP_JOINTS]);
+
+/* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
+ * CYLINDRICAL_RPP_MAX_SOLUTIONS - 1,
+ * whatever branches have no solution. free and border: bit i stands for joint i; free joints take the value of the
+ * reference (several: their sum does), of border joints two solutions meet in this one. */
+typedef struct cylindrical_rpp_mark {
+    unsigned branch, free, border;
+} cylindrical_rpp_mark;
+
+/* The same; marks[i] belongs to q[i]. */
+int cylindrical_rpp_ik_marked(const double T[16], const cylindrical_rpp_params *p,
+    const double reference[CYLINDRICAL_RPP_JOINTS], double q[][CYLINDRICAL_RPP_JOINTS],
+    cylindrical_rpp_mark marks[]);
+
+/* The names of the branches by their number:
+ *  0: d3 > 0
+ *  1: d3 < 0
+ *  d3 > 0 and d3 < 0: the sign of d3.
+ */
+extern const char *const cylindrical_rpp_branches[CYLINDRICAL_RPP_MAX_SOLUTIONS];
+
+/* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
+extern const double cylindrical_rpp_lower[CYLINDRICAL_RPP_JOINTS], cylindrical_rpp_upper[CYLINDRICAL_RPP_JOINTS];
+
+/* The solutions of one pose in the order of branches, and what the call came to. */
+typedef struct cylindrical_rpp_solutions {
+    cylindrical_rpp_status status;
+    int count; /* 0 unless the status is CYLINDRICAL_RPP_SOLVED or CYLINDRICAL_RPP_SINGULAR */
+    double q[CYLINDRICAL_RPP_MAX_SOLUTIONS][CYLINDRICAL_RPP_JOINTS];
+    cylindrical_rpp_mark marks[CYLINDRICAL_RPP_MAX_SOLUTIONS];
+} cylindrical_rpp_solutions;
+
+/* ik_marked with a status, which is returned as well; CYLINDRICAL_RPP_BAD_REFERENCE if the reference is not finite. */
+cylindrical_rpp_status cylindrical_rpp_solve(const double T[16], const cylindrical_rpp_params *p,
+    const double reference[CYLINDRICAL_RPP_JOINTS], cylindrical_rpp_solutions *out);
+
+/* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
+ * families above says. */
+unsigned cylindrical_rpp_family(unsigned free);
+
+/* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
+ * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
+ * fit; a length is never wound.
+ * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
+ * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
+ * CYLINDRICAL_RPP_BAD_LIMIT if limits are no interval. */
+int cylindrical_rpp_within(const double T[16], const cylindrical_rpp_params *p,
+    const double reference[CYLINDRICAL_RPP_JOINTS], const double lower[CYLINDRICAL_RPP_JOINTS],
+    const double upper[CYLINDRICAL_RPP_JOINTS], int capacity, double q[][CYLINDRICAL_RPP_JOINTS],
+    cylindrical_rpp_mark marks[]);
+
+/* The solution nearest to a reference: least is the sum of weights (NULL: 1) times squared differences, over all
+ * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
+ * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
+ * there is none. CYLINDRICAL_RPP_BAD_WEIGHT if a weight is negative or not finite. */
+cylindrical_rpp_status cylindrical_rpp_nearest(const double T[16], const cylindrical_rpp_params *p,
+    const double reference[CYLINDRICAL_RPP_JOINTS], const double weights[CYLINDRICAL_RPP_JOINTS],
+    const double lower[CYLINDRICAL_RPP_JOINTS], const double upper[CYLINDRICAL_RPP_JOINTS],
+    double q[CYLINDRICAL_RPP_JOINTS]);
 
 #ifdef __cplusplus
 }

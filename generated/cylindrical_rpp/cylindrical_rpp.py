@@ -19,12 +19,24 @@ Poses are 4x4 matrices T = [u v w p; 0 0 0 1]. Angles are in radians, lengths in
     T = fk(q)                 # (..., 3) -> (..., 4, 4)
     q = ik(T)                 # (4, 4) -> (m, 3): all m solutions, m = 0 if out of reach
     q, valid = ik_batch(T)    # (..., 4, 4) -> (..., 2, 3) and (..., 2)
+    s = solve(T)              # (4, 4) -> Solutions: q with branches (see BRANCHES), marks and a status
+    s = within(T)             # the same inside joint limits, with all windings
+    q = nearest(T, reference) # (4, 4) and (3,) -> (3,), None if there is none
     J = jacobian(q)           # (..., 3) -> (..., 6, 3)
 
 The parameters are keyword arguments; PARAMETERS holds the values of the table, None where it has none.
+
+Singular poses:
+  d3 = 0: shoulder singularity: the end point lies on axis 1.
+Families of solutions; a free joint takes its value in the reference:
+  d3 = 0: theta1 is free; d2 stays constant.
+
+The names of branches, BRANCHES:
+  d3 > 0 and d3 < 0: the sign of d3.
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -35,6 +47,26 @@ JOINT_TYPES = ("R", "P", "P")
 PARAMETERS = {"d1": None}
 TASK = "position"
 MAX_SOLUTIONS = 2
+BRANCHES = (
+    "d3 > 0",
+    "d3 < 0",
+)
+LIMITS = (
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+)
+
+_WINDS = np.array([True, False, False])
+# The bits of what a family is named by, and of all joints that move along it.
+_FAMILIES = ()
+# Within this share of a limit, or of 1, a joint value is on it.
+_SLACK = 1e-12
+_MOST_WINDINGS = 1_000_000
+
+_ROWS = np.array([0, 1, 2])
+_COLUMNS = np.array([3, 3, 3])
+_SLIDES = np.array([False, True, True])
 
 # Poses worked on at a time, so that memory stays bounded and the arrays stay in the cache.
 _BLOCK = 4096
@@ -103,7 +135,173 @@ def ik_batch(T, *, reference=None, d1):
     has the shape (3,) or (..., 3); see ik. Raises ValueError if an entry of T is no pose.
     """
     _check_parameters(d1=d1)
-    return _in_blocks(T, reference, (d1,))
+    return _in_blocks(T, reference, (d1,))[:2]
+
+
+class Solutions(NamedTuple):
+    """The solutions of one pose, m of them in the order of branches, and what the call came to.
+
+    q (m, 3) are the joint vectors, branch (m,) their places in BRANCHES. free and border (m, 3) tell which joints
+    are free (one takes its value in the reference; of several the sum does) and of which two solutions meet. family
+    (m, 3) are the joints that move along the family of a free joint, as the list at the top of the module says.
+    status: "solved"; "singular", solved with a joint that is free or on a border; "unreachable"; "not a pose".
+    """
+
+    q: np.ndarray
+    branch: np.ndarray
+    free: np.ndarray
+    border: np.ndarray
+    family: np.ndarray
+    status: str
+
+
+def solve(T, *, reference=None, d1):
+    """The solutions of one pose T (4, 4) with their branches, marks and a status; what is no pose raises nothing.
+
+    Angles are in (-pi, pi]. Raises ValueError for a wrong shape and for a reference that
+    is not finite.
+    """
+    _check_parameters(d1=d1)
+    T = _single(T, (4, 4), "a pose")
+    reference = _reference(reference)
+    if not _is_pose(T):
+        return _solutions(np.empty((0, 3)), np.empty(0, dtype=int), *np.empty((2, 0), dtype=int), "not a pose")
+    q, valid, free, border = _in_blocks(T, reference, (d1,))
+    return _solutions(q[valid], np.flatnonzero(valid), free[valid], border[valid])
+
+
+def within(T, *, limits=None, reference=None, d1):
+    """The solutions of one pose T (4, 4) inside joint limits (3, 2), default LIMITS, with all their windings.
+
+    Every whole turn of a revolute joint that fits counts, turns of the first joint outermost; a joint with an
+    infinite limit is not wound, its value in (-pi, pi] has to fit. A length is never wound. Within 1e-12 of a limit is
+    on it. Status "unreachable" if nothing is left. Raises ValueError as solve does, for limits that are no interval,
+    and if more than a million joint vectors fit.
+    """
+    found = solve(T, reference=reference, d1=d1)
+    return _within(found, *_limits(limits))
+
+
+def nearest(T, reference, *, weights=None, limits=None, d1):
+    """The solution (3,) of one pose T (4, 4) nearest to a reference joint vector (3,), None if there is none.
+
+    Least is the sum of weights (3,), default 1, times squared differences, over all windings inside the limits
+    (3, 2), default LIMITS; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
+    digits are a tie, and the branch that comes first wins. Raises ValueError as solve does, if T is no pose, for
+    weights that are negative or not finite, and for limits that are no interval.
+    """
+    found = solve(T, reference=reference, d1=d1)
+    if found.status == "not a pose":
+        raise ValueError("T is no rigid motion: its rotation must be right-handed and orthogonal to 1e-6")
+    return _nearest(found.q, _reference(reference), _weights(weights), *_limits(limits))
+
+
+def _within(found, low, high):
+    """The windings of solutions inside limits."""
+    turns, row = _windings(found.q, low, high)
+    branch, free, border, family = (part[row] for part in found[1:5])
+    status = found.status if found.status == "not a pose" else _status(free, border)
+    return Solutions(_wound(found.q[row], turns, low, high), branch, free, border, family, status)
+
+
+@np.errstate(over="ignore")
+def _nearest(q, reference, weights, low, high):
+    """The row of q (m, 3), wound inside the limits, that is nearest to the reference; None if none is inside."""
+    first, last = _turns(q, low, high)
+    turns = np.where(_WINDS, np.ceil((reference - q) / (2.0 * np.pi) - 0.5), 0.0)
+    q = _wound(q, np.minimum(np.maximum(turns, first), last), low, high)
+    costs = (weights * (q - reference) ** 2).sum(axis=1)
+    chosen = None
+    for row in np.flatnonzero((first <= last).all(axis=1)):
+        if chosen is None or costs[row] < costs[chosen] * (1.0 - 1e-9):
+            chosen = row
+    return None if chosen is None else q[chosen]
+
+
+def _single(value, shape, what):
+    """An array of numbers of exactly this shape; ValueError otherwise."""
+    array = _array(value, shape, what)
+    if array.shape != shape:
+        raise ValueError(f"{what} has the shape {shape}, not {array.shape}")
+    return array
+
+
+def _reference(reference):
+    """One reference joint vector (3,), zeros where the caller gave none."""
+    if reference is None:
+        return np.zeros(3)
+    return _references(_single(reference, (3,), "a reference joint vector"), ())[0]
+
+
+def _is_pose(T):
+    """Whether T (4, 4) is a rigid motion."""
+    try:
+        _read_poses(T[None], 0)
+    except ValueError:
+        return False
+    return True
+
+
+def _solutions(q, branch, free, border, status=None):
+    """Solutions with the bits of joints spread out, and their status if there is no other."""
+    family = free
+    for own, moving in _FAMILIES:
+        family = family | np.where(free & own == own, moving, 0)
+    free, border, family = ((bits[:, None] >> np.arange(3)) & 1 != 0 for bits in (free, border, family))
+    return Solutions(q, branch, free, border, family, status or _status(free, border))
+
+
+def _status(free, border):
+    """What solutions with these marks (m, 3) come to."""
+    if not len(free):
+        return "unreachable"
+    return "singular" if free.any() or border.any() else "solved"
+
+
+def _limits(limits):
+    """Lower and upper limits (3,) each; ValueError with the joint whose limits are no interval."""
+    limits = _single(LIMITS if limits is None else limits, (3, 2), "joint limits")
+    for name, (low, high) in zip(JOINTS, limits.tolist()):
+        if not (low <= high and low < math.inf and high > -math.inf):
+            raise ValueError(f"the limits of {name} must be a lower and an upper number, not {low!r} and {high!r}")
+    return limits.T
+
+
+def _weights(weights):
+    """Weights (3,), ones where the caller gave none; ValueError with the joint whose weight is none."""
+    weights = np.ones(3) if weights is None else _single(weights, (3,), "the weights")
+    for name, weight in zip(JOINTS, weights.tolist()):
+        if not 0.0 <= weight < math.inf:
+            raise ValueError(f"the weight of {name} must be finite and not negative, not {weight!r}")
+    return weights
+
+
+def _turns(q, low, high):
+    """The least and the largest number of whole turns (m, 3) that take q into the limits; least > largest: none."""
+    start = low - _SLACK * np.maximum(1.0, np.abs(low)) - q
+    end = high + _SLACK * np.maximum(1.0, np.abs(high)) - q
+    first = np.where(_WINDS, np.ceil(start / (2.0 * np.pi)), np.where((start <= 0.0) & (end >= 0.0), 0.0, 1.0))
+    return first, np.where(_WINDS, np.floor(end / (2.0 * np.pi)), 0.0)
+
+
+def _windings(q, low, high):
+    """All whole turns (w, 3) that take rows of q (m, 3) into the limits, and the row (w,) of each."""
+    first, last = _turns(q, low, high)
+    endless = _WINDS & ~(np.isfinite(low) & np.isfinite(high))
+    first, last = np.where(endless, np.maximum(first, 0.0), first), np.where(endless, np.minimum(last, 0.0), last)
+    numbers = np.maximum(last - first + 1.0, 0.0).prod(axis=1)
+    if numbers.sum() > _MOST_WINDINGS:
+        raise ValueError(f"{numbers.sum():.0f} joint vectors are inside the limits: narrow them")
+    grids = [
+        np.stack(np.meshgrid(*map(np.arange, low, high + 1.0), indexing="ij"), axis=-1).reshape(-1, 3)
+        for low, high in zip(first, last)
+    ]
+    return np.concatenate([np.empty((0, 3)), *grids]), np.repeat(np.arange(len(q)), numbers.astype(int))
+
+
+def _wound(q, turns, low, high):
+    """Joint values after whole turns, inside the limits that they are within the slack of."""
+    return np.clip(q + 2.0 * np.pi * turns, low, high)
 
 
 def _in_blocks(T, reference, parameters):
@@ -114,11 +312,12 @@ def _in_blocks(T, reference, parameters):
     near = _references(reference, shape)
     q = np.empty((len(poses), MAX_SOLUTIONS, 3))
     valid = np.empty((len(poses), MAX_SOLUTIONS), dtype=bool)
+    free, border = np.empty((2, len(poses), MAX_SOLUTIONS), dtype=np.int64)
     for start in range(0, len(poses), _BLOCK):
         part = slice(start, start + _BLOCK)
         M, defect = _read_poses(poses[part], start)
-        q[part], valid[part] = _solve(M, defect, near[part].T, *parameters)
-    return q.reshape(*shape, *q.shape[1:]), valid.reshape(*shape, *valid.shape[1:])
+        q[part], valid[part], free[part], border[part] = _solve(M, defect, near[part].T, *parameters)
+    return tuple(array.reshape(*shape, *array.shape[1:]) for array in (q, valid, free, border))
 
 
 @np.errstate(all="ignore")
@@ -138,7 +337,7 @@ def _solve(M, defect, reference, d1):
     d2 = p_z - d1
 
     # (2) theta1: homogeneous equation a c + b s = 0: c1*p_x + s1*p_y = 0
-    c1, s1, real1 = _homogeneous(p_x, p_y, tau * size, reference[0], axes=1)
+    c1, s1, mark2, real1 = _homogeneous(p_x, p_y, tau * size, reference[0], axes=1)
     theta1 = _angle(s1, c1)
 
     # (3) d3: linear in a prismatic variable: c1*p_y - s1*p_x - d3 = 0
@@ -153,8 +352,116 @@ def _solve(M, defect, reference, d1):
     valid = np.isfinite(q).all(axis=-1)
     real = np.broadcast_to(real1, (2, M.shape[-1]))
     valid &= real.transpose(1, 0).reshape(valid.shape)
+    free = border = 0
+    mark = mark2
+    if np.any(mark):
+        free = np.where(mark2 & _FREE, 1, 0)
+        border = 0
+        mark, free, border = (
+            np.broadcast_to(bits, (2, M.shape[-1]))
+            .transpose(1, 0)
+            .reshape(valid.shape)
+            .copy()
+            for bits in (mark, free, border)
+        )
+        T = np.concatenate([M, np.zeros((1, 4, M.shape[-1]))]).transpose(2, 0, 1)
+        T[:, 3, 3] = 1.0
+        _settle(q, valid, mark, free, border, T, tau, size, dict(d1=d1))
     q[~valid] = np.nan
-    return q, valid
+    return q, valid, free, border
+
+
+def _distance(q, M, size, given):
+    """The forward kinematics of q (k, 3) less the poses M (k, 4, 4) in the entries of the task, lengths over the size.
+
+    Returns the differences (k, 3) and their norms (k,).
+    """
+    e = (fk(q, **given) - M)[:, _ROWS, _COLUMNS] / np.where(_COLUMNS == 3, size[:, None], 1.0)
+    return e, np.sqrt((e * e).sum(axis=1))
+
+
+def _slopes(q, size, given):
+    """The derivatives (k, 3, 3) of these differences by the joints, lengths over the size."""
+    T, J = fk(q, **given), jacobian(q, **given)
+    # A column of the rotation turns with the angular velocity.
+    turned = np.cross(J[:, None, 3:], T[:, :3, :3].transpose(0, 2, 1)[..., None], axis=2)
+    every = np.concatenate([turned, J[:, None, :3] / size[:, None, None, None]], axis=1)
+    D = every[:, _COLUMNS, _ROWS] * np.where(_SLIDES, size[:, None], 1.0)[:, None]
+    return D
+
+
+def _polish(q, M, size, given):
+    """Move q (k, 3) towards the poses M (k, 4, 4) by least squares; returns the distances that are left (k,).
+
+    Damped by the distance: fast even where the Jacobian loses rank.
+    """
+    e, left = _distance(q, M, size, given)
+    caution = np.ones_like(left)
+    for _ in range(40):
+        rows = np.flatnonzero((left > 1e-15) & (caution < 1e9))
+        if not rows.size:
+            break
+        damping = np.maximum(left[rows], 1e-14) * caution[rows]
+        D = np.concatenate([_slopes(q[rows], size[rows], given), damping[:, None, None] * np.eye(3)], axis=1)
+        Q, R = np.linalg.qr(D)
+        step = np.linalg.solve(R, Q[:, : e.shape[1]].transpose(0, 2, 1) @ e[rows, :, None])[..., 0]
+        trial = q[rows] - step * np.where(_SLIDES, size[rows, None], 1.0)
+        differences, reached = _distance(trial, M[rows], size[rows], given)
+        better = reached < left[rows]
+        caution[rows] *= np.where(better, 0.1, 10.0)
+        rows = rows[better]
+        q[rows], e[rows], left[rows] = trial[better], differences[better], reached[better]
+    return left
+
+
+def _settle(q, valid, mark, free, border, M, tau, size, given):
+    """Polish the marked solutions q (N, 2, 3) that need it, and say in valid (N, 2) which of them are solutions.
+
+    Where two borders cross the distance is stationary, and a second start lies beside it.    """
+    valid &= np.isfinite(q).all(axis=-1)
+    pose, branch = np.nonzero(valid & (mark != 0))
+    scale = np.broadcast_to(np.where(size > 0.0, size, 1.0), tau.shape)
+    M, size, reach = M[pose], scale[pose], 4.0 * tau[pose]
+    start = q[pose, branch]
+    ends, left = start.copy(), _distance(start, M, size, given)[1]
+    for trial in range(4):
+        rows = np.flatnonzero(left > reach)
+        if not rows.size:
+            break
+        beside = left[rows, None] ** (1.0 / (1.0 + trial)) * (trial > 0)
+        beside = beside * np.cos(1.0 + np.arange(3)) * np.where(_SLIDES, size[rows, None], 1.0)
+        moved = start[rows] + beside
+        reached = _polish(moved, M[rows], size[rows], given)
+        better = (reached < left[rows]) | (trial == 0)
+        ends[rows[better]], left[rows[better]] = moved[better], reached[better]
+    alike = np.zeros(valid.shape)
+    doubtful = mark[pose, branch] & _DOUBTFUL != 0
+    good = left <= np.maximum(np.where(doubtful, 1e-12, 1e-9), reach)
+    moved = (ends != start).any(axis=1)
+    q[pose, branch] = np.where(moved[:, None], _wrapped(ends), start)
+    valid[pose, branch] = good
+    alike[pose, branch] = np.where(doubtful, 1e-3, 1e-6 * moved)
+
+
+def _wrapped(q):
+    """Joint vectors with their angles in (-pi, pi]."""
+    return np.where(_SLIDES, q, _wrap(q))
+
+
+# The marks of a root: its unknown is free; two roots meet in it; it lies so near to one of these that its last digits
+# are lost; it may not exist.
+_FREE, _BORDER, _SOFT, _DOUBTFUL = 1, 2, 4, 8
+
+# How far beside a special pose a root is marked, in tolerances: a millionth of the equation's unit.
+_NEAR = 2.0**26
+
+
+def _mark(near, free=0, border=0, doubtful=0):
+    """The marks of roots; plain 0 where there is nothing to mark, which is almost always."""
+    if not np.any(near):
+        return 0
+    special = _FREE * free + _BORDER * border + _DOUBTFUL * doubtful
+    return near * np.where(special == 0, _SOFT, special)
 
 
 def _homogeneous(a, b, t, reference, axes):
@@ -163,7 +470,7 @@ def _homogeneous(a, b, t, reference, axes):
     r = np.sqrt(a * a + b * b)
     free = r <= t
     c, s = _free(free, reference, sign * (b / r), sign * (-a / r))
-    return c, s, (sign > 0.0) | ~free
+    return c, s, _mark(r <= _NEAR * t, free=free), (sign > 0.0) | ~free
 
 
 def _signs(axes):
@@ -182,6 +489,12 @@ def _angle(s, c):
     """The angle of a sine and a cosine in (-pi, pi]; arctan2 alone gives -pi where the sine is -0."""
     angle = np.arctan2(s, c)
     return np.where(angle <= -np.pi, np.pi, angle)
+
+
+def _wrap(angle):
+    """The same angle in (-pi, pi]."""
+    wrapped = angle - 2.0 * np.pi * np.ceil((angle - np.pi) / (2.0 * np.pi))
+    return np.where(np.abs(wrapped) >= np.pi, np.pi, wrapped)  # rounding can touch the ends
 
 
 @np.errstate(all="ignore")

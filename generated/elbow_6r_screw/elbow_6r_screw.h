@@ -42,9 +42,17 @@ extern "C" {
 #define ELBOW_6R_SCREW_JOINTS 6
 #define ELBOW_6R_SCREW_MAX_SOLUTIONS 8
 
-/* What elbow_6r_screw_ik returns instead of a number of solutions. */
-#define ELBOW_6R_SCREW_NOT_A_POSE (-1)
-#define ELBOW_6R_SCREW_BAD_PARAMETER (-2)
+/* What a call came to. Functions that return a number of solutions return a negative value instead of one. */
+typedef enum elbow_6r_screw_status {
+    ELBOW_6R_SCREW_UNREACHABLE = 0, /* no solution */
+    ELBOW_6R_SCREW_SOLVED = 1,
+    ELBOW_6R_SCREW_SINGULAR = 2, /* solved, with a joint that is free or on a border */
+    ELBOW_6R_SCREW_NOT_A_POSE = -1,
+    ELBOW_6R_SCREW_BAD_PARAMETER = -2,
+    ELBOW_6R_SCREW_BAD_REFERENCE = -3,
+    ELBOW_6R_SCREW_BAD_LIMIT = -4,
+    ELBOW_6R_SCREW_BAD_WEIGHT = -5
+} elbow_6r_screw_status;
 
 /* The parameters of the table. */
 typedef struct elbow_6r_screw_params {
@@ -62,6 +70,20 @@ void elbow_6r_screw_fk(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_scr
 void elbow_6r_screw_jacobian(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_screw_params *p,
     double J[6 * ELBOW_6R_SCREW_JOINTS]);
 
+/*
+ * Singular poses:
+ *   c5 = 0: wrist singularity: axis 6 is parallel to axes 2, 3 and 4.
+ *   s3 = 0: elbow singularity: axes 2, 3 and 4 lie in one plane: the arm is stretched or folded.
+ *   a2*c2 + a3*c23 + a4*c234 = 0: shoulder singularity: the point where axes 5 and 6 meet lies on axis 1.
+ * Families of solutions; a free joint takes its value in the reference:
+ *   theta5 = pi/2: theta234 is free; theta234 - theta6 and theta1 stay constant; theta2, theta3, theta4 and
+ *     theta6 follow.
+ *   theta5 = -pi/2: theta234 is free; theta234 + theta6 and theta1 stay constant; theta2, theta3, theta4 and
+ *     theta6 follow.
+ *   a2*c2 + a3*c23 + a4*c234 = 0: theta1 is free; theta2, theta3, theta4, theta5 and theta6 follow.
+ *   p14_x^2 + p14_y^2 = 0: theta2 is free if two links have the same length and lie folded on each other.
+ */
+
 /* Inverse kinematics: every solution of the pose T, angles in (-pi, pi], a fixed order of branches.
  *
  * Returns the number of solutions, at most ELBOW_6R_SCREW_MAX_SOLUTIONS (q needs room for so many; rows beyond the
@@ -76,6 +98,75 @@ int elbow_6r_screw_ik(const double T[16], const elbow_6r_screw_params *p, double
  * reference that is NULL is all zeros. */
 int elbow_6r_screw_ik_near(const double T[16], const elbow_6r_screw_params *p,
     const double reference[ELBOW_6R_SCREW_JOINTS], double q[][ELBOW_6R_SCREW_JOINTS]);
+
+/* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
+ * ELBOW_6R_SCREW_MAX_SOLUTIONS - 1,
+ * whatever branches have no solution. free and border: bit i stands for joint i; free joints take the value of the
+ * reference (several: their sum does), of border joints two solutions meet in this one. */
+typedef struct elbow_6r_screw_mark {
+    unsigned branch, free, border;
+} elbow_6r_screw_mark;
+
+/* The same; marks[i] belongs to q[i]. */
+int elbow_6r_screw_ik_marked(const double T[16], const elbow_6r_screw_params *p,
+    const double reference[ELBOW_6R_SCREW_JOINTS], double q[][ELBOW_6R_SCREW_JOINTS],
+    elbow_6r_screw_mark marks[]);
+
+/* The names of the branches by their number:
+ *  0: shoulder right, wrist not flipped, elbow down
+ *  1: shoulder right, wrist not flipped, elbow up
+ *  2: shoulder right, wrist flipped, elbow down
+ *  3: shoulder right, wrist flipped, elbow up
+ *  4: shoulder left, wrist not flipped, elbow up
+ *  5: shoulder left, wrist not flipped, elbow down
+ *  6: shoulder left, wrist flipped, elbow up
+ *  7: shoulder left, wrist flipped, elbow down
+ *  shoulder right: seen from axis 1 towards the point where axes 5 and 6 meet, axis 1 upward, axis 2 points
+ *    to the right.
+ *  wrist not flipped: about axis 5, axis 6 is less than half a turn ahead of axis 4.
+ *  elbow up: seen with axis 1 upward and the side of axis 1 that the arm reaches to on the right, axis 3
+ *    lies to the left of the way from axis 2 to axis 4, which is above it wherever it leads to the right.
+ */
+extern const char *const elbow_6r_screw_branches[ELBOW_6R_SCREW_MAX_SOLUTIONS];
+
+/* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
+extern const double elbow_6r_screw_lower[ELBOW_6R_SCREW_JOINTS], elbow_6r_screw_upper[ELBOW_6R_SCREW_JOINTS];
+
+/* The solutions of one pose in the order of branches, and what the call came to. */
+typedef struct elbow_6r_screw_solutions {
+    elbow_6r_screw_status status;
+    int count; /* 0 unless the status is ELBOW_6R_SCREW_SOLVED or ELBOW_6R_SCREW_SINGULAR */
+    double q[ELBOW_6R_SCREW_MAX_SOLUTIONS][ELBOW_6R_SCREW_JOINTS];
+    elbow_6r_screw_mark marks[ELBOW_6R_SCREW_MAX_SOLUTIONS];
+} elbow_6r_screw_solutions;
+
+/* ik_marked with a status, which is returned as well; ELBOW_6R_SCREW_BAD_REFERENCE if the reference is not finite. */
+elbow_6r_screw_status elbow_6r_screw_solve(const double T[16], const elbow_6r_screw_params *p,
+    const double reference[ELBOW_6R_SCREW_JOINTS], elbow_6r_screw_solutions *out);
+
+/* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
+ * families above says. */
+unsigned elbow_6r_screw_family(unsigned free);
+
+/* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
+ * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
+ * fit; a length is never wound.
+ * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
+ * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
+ * ELBOW_6R_SCREW_BAD_LIMIT if limits are no interval. */
+int elbow_6r_screw_within(const double T[16], const elbow_6r_screw_params *p,
+    const double reference[ELBOW_6R_SCREW_JOINTS], const double lower[ELBOW_6R_SCREW_JOINTS],
+    const double upper[ELBOW_6R_SCREW_JOINTS], int capacity, double q[][ELBOW_6R_SCREW_JOINTS],
+    elbow_6r_screw_mark marks[]);
+
+/* The solution nearest to a reference: least is the sum of weights (NULL: 1) times squared differences, over all
+ * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
+ * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
+ * there is none. ELBOW_6R_SCREW_BAD_WEIGHT if a weight is negative or not finite. */
+elbow_6r_screw_status elbow_6r_screw_nearest(const double T[16], const elbow_6r_screw_params *p,
+    const double reference[ELBOW_6R_SCREW_JOINTS], const double weights[ELBOW_6R_SCREW_JOINTS],
+    const double lower[ELBOW_6R_SCREW_JOINTS], const double upper[ELBOW_6R_SCREW_JOINTS],
+    double q[ELBOW_6R_SCREW_JOINTS]);
 
 #ifdef __cplusplus
 }

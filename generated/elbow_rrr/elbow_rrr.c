@@ -17,6 +17,7 @@
  */
 #include "elbow_rrr.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stddef.h>
 
@@ -26,6 +27,14 @@ static double angle_of(double s, double c)
     const double pi = 3.141592653589793;
     const double angle = atan2(s, c);
     return angle <= -pi ? pi : angle;
+}
+
+/* The same angle in (-pi, pi]. */
+static double wrap(double angle)
+{
+    const double pi = 3.141592653589793;
+    const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
+    return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
 void elbow_rrr_fk(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p, double T[16])
@@ -117,32 +126,48 @@ void elbow_rrr_jacobian(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params
     J[17] = 0.0;
 }
 
+/* The marks of a root: its unknown is free; two roots meet in it; it lies so near to one of these that its last digits
+ * are lost; it may not exist. */
+#define IS_FREE 1
+#define IS_BORDER 2
+#define IS_SOFT 4
+#define IS_DOUBTFUL 8
+
+/* How far beside a special pose a root is marked, in tolerances: a millionth of the equation's unit. */
+#define NEAR 67108864.0
+
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2])
+static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
         c[0] = cos(reference);
         s[0] = sin(reference);
+        mark[0] = IS_FREE;
         return 1;
     }
     c[0] = b / r;
     s[0] = -a / r;
     c[1] = -c[0];
     s[1] = -s[0];
+    mark[0] = mark[1] = r <= NEAR * t ? IS_SOFT : 0;
     return 2;
 }
 
 /* Two links l1, l2 that reach (x, y). The second link has the components k along the first link and w across
- * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. */
-static int solve_triangle(double x, double y, double l1, double l2, double t,
-                          double *k, double w[2], double *along)
+ * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. Out of reach
+ * there is none, but just out of it, or anywhere if loose, one in doubt. */
+static int solve_triangle(double x, double y, double l1, double l2, double t, int loose,
+                          double *k, double w[2], double *along, int mark[2])
 {
-    const double rr = x * x + y * y;
+    const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
     const double from_outer = outer * outer - rr, from_inner = rr - inner * inner;
     const double t_outer = 2.0 * outer * t, t_inner = 2.0 * fabs(inner) * t + t * t;
-    if (!(from_outer >= -t_outer && from_inner >= -t_inner && fabs(l1) > t)) {
+    const double near_outer = 2.0 * outer * near, near_inner = 2.0 * fabs(inner) * near + near * near;
+    const int reached = from_outer >= -t_outer && from_inner >= -t_inner;
+    const int doubtful = loose ? isfinite(rr) : from_outer >= -near_outer && from_inner >= -near_inner;
+    if (!((reached || doubtful) && fabs(l1) > t)) {
         return 0;
     }
     *along = (rr + (l1 - l2) * (l1 + l2)) / (2.0 * l1);
@@ -150,28 +175,32 @@ static int solve_triangle(double x, double y, double l1, double l2, double t,
         const int same_way = (from_outer <= t_outer) == (l1 > 0.0);
         *k = same_way ? fabs(l2) : -fabs(l2);
         w[0] = 0.0;
+        mark[0] = reached ? IS_BORDER : IS_BORDER | IS_DOUBTFUL;
         return 1;
     }
     *k = (rr - l1 * l1 - l2 * l2) / (2.0 * l1);
     w[0] = sqrt(from_outer * from_inner) / (2.0 * fabs(l1));
     w[1] = -w[0];
+    mark[0] = mark[1] = from_outer <= near_outer || from_inner <= near_inner ? IS_SOFT : 0;
     return 2;
 }
 
 /* The angle that turns (along, across) into the direction of (x, y); free if (x, y) vanishes. */
-static void solve_direction(double x, double y, double along, double across, double t, double reference,
-                            double *c, double *s)
+static int solve_direction(double x, double y, double along, double across, double t, double reference,
+                           double *c, double *s)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
+    const double rr = x * x + y * y;
     const double r = sqrt(nc * nc + ns * ns);
-    if (x * x + y * y <= t * t || r == 0.0) {
+    if (rr <= t * t || r == 0.0) {
         *c = cos(reference);
         *s = sin(reference);
-    } else {
-        *c = nc / r;
-        *s = ns / r;
+        return IS_FREE;
     }
+    *c = nc / r;
+    *s = ns / r;
+    return rr <= NEAR * NEAR * t * t ? IS_SOFT : 0;
 }
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
@@ -233,8 +262,188 @@ static int all_finite(const double q[ELBOW_RRR_JOINTS])
     return 1;
 }
 
-int elbow_rrr_ik_near(const double T[16], const elbow_rrr_params *p, const double reference[ELBOW_RRR_JOINTS],
-    double q[][ELBOW_RRR_JOINTS])
+/* The entries of the pose that the task asks for, by their place in a matrix. */
+#define ENTRIES 3
+static const int entry_of[ENTRIES] = {3, 7, 11};
+
+/* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
+static double distance(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p, const double M[12],
+    double size, double e[ENTRIES])
+{
+    double T[16], sum = 0.0;
+    elbow_rrr_fk(q, p, T);
+    for (int i = 0; i < ENTRIES; ++i) {
+        e[i] = (T[entry_of[i]] - M[entry_of[i]]) / (entry_of[i] % 4 == 3 ? size : 1.0);
+        sum += e[i] * e[i];
+    }
+    return sqrt(sum);
+}
+
+/* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
+ * angular velocity. */
+static void slopes(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p, double size,
+    double D[ENTRIES][ELBOW_RRR_JOINTS])
+{
+    double T[16], J[6 * ELBOW_RRR_JOINTS];
+    elbow_rrr_fk(q, p, T);
+    elbow_rrr_jacobian(q, p, J);
+    for (int i = 0; i < ENTRIES; ++i) {
+        const int row = entry_of[i] / 4, column = entry_of[i] % 4, next = (row + 1) % 3, last = (row + 2) % 3;
+        for (int j = 0; j < ELBOW_RRR_JOINTS; ++j) {
+            const double *v = J + j, *w = v + 3 * ELBOW_RRR_JOINTS;
+            const double turned = w[next * ELBOW_RRR_JOINTS] * T[4 * last + column]
+                - w[last * ELBOW_RRR_JOINTS] * T[4 * next + column];
+            D[i][j] = column == 3 ? v[row * ELBOW_RRR_JOINTS] / size : turned;
+        }
+    }
+}
+
+/* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
+ * orthogonal to each other (modified Gram and Schmidt, the right side last). */
+static void step(double D[ENTRIES][ELBOW_RRR_JOINTS], const double e[ENTRIES], double damping,
+    double g[ELBOW_RRR_JOINTS])
+{
+    double A[ELBOW_RRR_JOINTS + 1][ENTRIES + ELBOW_RRR_JOINTS];
+    double R[ELBOW_RRR_JOINTS][ELBOW_RRR_JOINTS + 1];
+    for (int i = 0; i <= ELBOW_RRR_JOINTS; ++i) {
+        for (int k = 0; k < ENTRIES + ELBOW_RRR_JOINTS; ++k) {
+            A[i][k] = k >= ENTRIES ? (k == ENTRIES + i ? damping : 0.0) : i < ELBOW_RRR_JOINTS ? D[k][i] : e[k];
+        }
+    }
+    for (int i = 0; i < ELBOW_RRR_JOINTS; ++i) {
+        for (int j = i; j <= ELBOW_RRR_JOINTS; ++j) {
+            R[i][j] = 0.0;
+            for (int k = 0; k < ENTRIES + ELBOW_RRR_JOINTS; ++k) {
+                R[i][j] += A[i][k] * A[j][k];
+            }
+            R[i][j] = j == i ? sqrt(R[i][i]) : R[i][j] / R[i][i];
+            for (int k = 0; k < ENTRIES + ELBOW_RRR_JOINTS; ++k) {
+                A[j][k] -= j == i ? 0.0 : R[i][j] / R[i][i] * A[i][k];
+            }
+        }
+    }
+    for (int i = ELBOW_RRR_JOINTS - 1; i >= 0; --i) {
+        g[i] = R[i][ELBOW_RRR_JOINTS];
+        for (int k = i + 1; k < ELBOW_RRR_JOINTS; ++k) {
+            g[i] -= R[i][k] * g[k];
+        }
+        g[i] /= R[i][i];
+    }
+}
+
+/* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
+ * Jacobian loses rank. Returns the distance. */
+static double polish(double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p, const double M[12], double size)
+{
+    double e[ENTRIES], D[ENTRIES][ELBOW_RRR_JOINTS], g[ELBOW_RRR_JOINTS], trial[ELBOW_RRR_JOINTS];
+    double left = distance(q, p, M, size, e), caution = 1.0;
+    for (int pass = 0; pass < 40 && left > 1e-15 && caution < 1e9; ++pass) {
+        slopes(q, p, size, D);
+        step(D, e, fmax(left, 1e-14) * caution, g);
+        for (int i = 0; i < ELBOW_RRR_JOINTS; ++i) {
+            trial[i] = q[i] - g[i];
+        }
+        const double reached = distance(trial, p, M, size, e);
+        if (reached < left) {
+            for (int i = 0; i < ELBOW_RRR_JOINTS; ++i) {
+                q[i] = trial[i];
+            }
+            left = reached;
+            caution *= 0.1;
+        } else {
+            distance(q, p, M, size, e);
+            caution *= 10.0;
+        }
+    }
+    return left;
+}
+
+/* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
+ * Where two borders cross the distance is stationary, and a second start lies beside it. A border
+ * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
+ * q, on branch twin. */
+static int settle(double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[], double alike[], unsigned twin,
+    int mark, const elbow_rrr_params *p, const double M[12], double tau, double size)
+{
+    double e[ENTRIES], start[ELBOW_RRR_JOINTS], other[ELBOW_RRR_JOINTS];
+    const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
+    double left = distance(q[0], p, M, unit, e);
+    if (!(left > reach)) {
+        return left <= reach;
+    }
+    for (int i = 0; i < ELBOW_RRR_JOINTS; ++i) {
+        start[i] = q[0][i];
+    }
+    left = polish(q[0], p, M, unit);
+    for (int trial = 1; trial < 4 && left > reach; ++trial) {
+        const double beside = pow(left, 1.0 / (1.0 + trial));
+        for (int i = 0; i < ELBOW_RRR_JOINTS; ++i) {
+            other[i] = start[i] + beside * cos(1.0 + i);
+        }
+        const double reached = polish(other, p, M, unit);
+        for (int i = 0; i < ELBOW_RRR_JOINTS && reached < left; ++i) {
+            q[0][i] = other[i];
+        }
+        left = fmin(left, reached);
+    }
+    int found = left <= ((mark & IS_DOUBTFUL) ? fmax(1e-12, reach) : fmax(1e-9, reach));
+    if (found && (mark & IS_BORDER)) {
+        for (int i = 0; i < ELBOW_RRR_JOINTS; ++i) {
+            q[1][i] = start[i] - (q[0][i] - start[i]);
+        }
+        found += polish(q[1], p, M, unit) <= reach;
+        marks[1] = marks[0];
+        marks[1].branch = twin;
+        alike[1] = 1e-3;
+    }
+    alike[0] = (mark & IS_DOUBTFUL) ? 1e-3 : 1e-6;
+    for (int k = 0; k < found; ++k) {
+        for (int i = 0; i < ELBOW_RRR_JOINTS; ++i) {
+            q[k][i] = wrap(q[k][i]);
+        }
+    }
+    return found;
+}
+
+/* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
+ * alike tells, and puts the rest in the order of their branches; returns how many are left. */
+static int tidied(double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[], const double alike[], int count)
+{
+    int kept = 0;
+    for (int i = 0; i < count; ++i) {
+        double moved[ELBOW_RRR_JOINTS];
+        const elbow_rrr_mark mark = marks[i];
+        int copy = 0, place = kept;
+        for (int j = 0; j < count && !copy && alike[i] > 0.0; ++j) {
+            copy = j < kept || (j > i && alike[j] < alike[i]);
+            for (int k = 0; k < ELBOW_RRR_JOINTS && copy; ++k) {
+                const double gap = q[i][k] - q[j][k];
+                copy = fabs(wrap(gap)) <= alike[i];
+            }
+        }
+        if (copy) {
+            continue;
+        }
+        for (int k = 0; k < ELBOW_RRR_JOINTS; ++k) {
+            moved[k] = q[i][k];
+        }
+        for (; place > 0 && marks[place - 1].branch > mark.branch; --place) {
+            marks[place] = marks[place - 1];
+            for (int k = 0; k < ELBOW_RRR_JOINTS; ++k) {
+                q[place][k] = q[place - 1][k];
+            }
+        }
+        marks[place] = mark;
+        for (int k = 0; k < ELBOW_RRR_JOINTS; ++k) {
+            q[place][k] = moved[k];
+        }
+        ++kept;
+    }
+    return kept;
+}
+
+int elbow_rrr_ik_marked(const double T[16], const elbow_rrr_params *p,
+    const double reference[ELBOW_RRR_JOINTS], double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[])
 {
     static const double zeros[ELBOW_RRR_JOINTS] = {0.0};
     if (reference == NULL) {
@@ -256,6 +465,8 @@ int elbow_rrr_ik_near(const double T[16], const elbow_rrr_params *p, const doubl
     const double a3 = p->a3;
     const double size = fabs(d1) + fabs(a2) + fabs(a3);
     const double tau = 1.4210854715202004e-14 + defect;
+    double alike[ELBOW_RRR_MAX_SOLUTIONS];
+    int special = 0;
     int count = 0;
 
     /* T_1_3: what is known moved to the left side */
@@ -263,9 +474,11 @@ int elbow_rrr_ik_near(const double T[16], const elbow_rrr_params *p, const doubl
 
     /* (1) theta1: homogeneous equation a c + b s = 0: s1*p_x - c1*p_y = 0 */
     double c1_roots[2], s1_roots[2];
-    const int n1 = solve_homogeneous(-p_y, p_x, tau * size, reference[0], c1_roots, s1_roots);
+    int mark1_roots[2];
+    const int n1 = solve_homogeneous(-p_y, p_x, tau * size, reference[0], c1_roots, s1_roots, mark1_roots);
     for (int i1 = 0; i1 < n1; ++i1) {
         const double c1 = c1_roots[i1], s1 = s1_roots[i1];
+        const int mark1 = mark1_roots[i1];
         const double theta1 = angle_of(s1, c1);
 
         /* T_1_3: what is known moved to the left side */
@@ -273,28 +486,222 @@ int elbow_rrr_ik_near(const double T[16], const elbow_rrr_params *p, const doubl
 
         /* (2) theta3: two-link triangle (square and add): p13_x = a2*c2 + a3*c23; p13_y = a2*s2 + a3*s23 */
         double k_3, w_3_roots[2], h_3;
-        const int n2 = solve_triangle(p13_x, p13_y, a2, a3, tau * size, &k_3, w_3_roots, &h_3);
+        int mark2_roots[2];
+        const int n2 = solve_triangle(p13_x, p13_y, a2, a3, tau * size, mark1, &k_3, w_3_roots, &h_3,
+            mark2_roots);
         for (int i2 = 0; i2 < n2; ++i2) {
             const double w_3 = w_3_roots[i2];
+            const int mark2 = mark2_roots[i2];
             const double c3 = k_3 / a3;
             const double s3 = w_3 / a3;
             const double theta3 = angle_of(s3, c3);
 
             /* (3) theta2: direction of the first link: p13_x = a2*c2 + a3*c23; p13_y = a2*s2 + a3*s23 */
             double c2, s2;
-            solve_direction(p13_x, p13_y, h_3, w_3, tau * size, reference[1], &c2, &s2);
+            const int mark3 = solve_direction(p13_x, p13_y, h_3, w_3, tau * size, reference[1], &c2, &s2);
             const double theta2 = angle_of(s2, c2);
 
             q[count][0] = theta1;
             q[count][1] = theta2;
             q[count][2] = theta3;
-            count += all_finite(q[count]);
+            const unsigned branch = (unsigned)(2 * i1 + i2);
+            marks[count].branch = branch;
+            const int mark = mark1 | mark2 | mark3;
+            alike[count] = (mark & IS_DOUBTFUL) ? 1e-3 : 0.0;
+            special |= mark;
+            marks[count].free = (mark1 & IS_FREE ? 1u : 0u) | (mark3 & IS_FREE ? 2u : 0u);
+            marks[count].border = (mark2 & IS_BORDER ? 4u : 0u);
+            count += mark ? settle(q + count, marks + count, alike + count, branch
+                + (mark2 & IS_BORDER ? 1u : 0u), mark, p, M, tau, size) : all_finite(q[count]);
         }
     }
-    return count;
+    return special ? tidied(q, marks, alike, count) : count;
+}
+
+int elbow_rrr_ik_near(const double T[16], const elbow_rrr_params *p, const double reference[ELBOW_RRR_JOINTS],
+    double q[][ELBOW_RRR_JOINTS])
+{
+    elbow_rrr_mark marks[ELBOW_RRR_MAX_SOLUTIONS];
+    return elbow_rrr_ik_marked(T, p, reference, q, marks);
 }
 
 int elbow_rrr_ik(const double T[16], const elbow_rrr_params *p, double q[][ELBOW_RRR_JOINTS])
 {
     return elbow_rrr_ik_near(T, p, NULL, q);
+}
+
+const char *const elbow_rrr_branches[ELBOW_RRR_MAX_SOLUTIONS] = {
+    "shoulder right, elbow down",
+    "shoulder right, elbow up",
+    "shoulder left, elbow up",
+    "shoulder left, elbow down",
+};
+
+const double elbow_rrr_lower[ELBOW_RRR_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+const double elbow_rrr_upper[ELBOW_RRR_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+
+/* A letter for each joint: R is wound by whole turns, P slides. */
+static const char kinds[] = "RRR";
+
+/* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
+#define TURN 6.283185307179586
+#define SLACK 1e-12
+
+/* Whether these are numbers; NULL counts as such. */
+static int are_numbers(const double x[ELBOW_RRR_JOINTS])
+{
+    for (int i = 0; x != NULL && i < ELBOW_RRR_JOINTS; ++i) {
+        if (!isfinite(x[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* Whether the limits of every joint are an interval. Written so that NaN fails. */
+static int all_intervals(const double lower[ELBOW_RRR_JOINTS], const double upper[ELBOW_RRR_JOINTS])
+{
+    for (int i = 0; i < ELBOW_RRR_JOINTS; ++i) {
+        if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
+static void turns_of(int i, double x, double low, double high, double *first, double *last)
+{
+    const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
+    *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
+    *last = kinds[i] == 'R' ? floor(end / TURN) : 0.0;
+}
+
+/* The value of joint i after whole turns, inside the limits that it is within the slack of. */
+static double moved(int i, double x, double turns, double low, double high)
+{
+    return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
+}
+
+/* What a solution with this mark comes to. */
+static elbow_rrr_status status_of(elbow_rrr_mark special)
+{
+    return special.free | special.border ? ELBOW_RRR_SINGULAR : ELBOW_RRR_SOLVED;
+}
+
+elbow_rrr_status elbow_rrr_solve(const double T[16], const elbow_rrr_params *p,
+    const double reference[ELBOW_RRR_JOINTS], elbow_rrr_solutions *out)
+{
+    out->count = 0;
+    out->status = ELBOW_RRR_BAD_REFERENCE;
+    if (!are_numbers(reference)) {
+        return out->status;
+    }
+    const int count = elbow_rrr_ik_marked(T, p, reference, out->q, out->marks);
+    if (count <= 0) {
+        out->status = count == ELBOW_RRR_NOT_A_POSE ? ELBOW_RRR_NOT_A_POSE
+            : count == ELBOW_RRR_BAD_PARAMETER ? ELBOW_RRR_BAD_PARAMETER : ELBOW_RRR_UNREACHABLE;
+        return out->status;
+    }
+    out->count = count;
+    out->status = ELBOW_RRR_SOLVED;
+    for (int k = 0; k < count; ++k) {
+        if (status_of(out->marks[k]) == ELBOW_RRR_SINGULAR) {
+            out->status = ELBOW_RRR_SINGULAR;
+        }
+    }
+    return out->status;
+}
+
+unsigned elbow_rrr_family(unsigned free)
+{
+    unsigned moving = free;
+    return moving;
+}
+
+int elbow_rrr_within(const double T[16], const elbow_rrr_params *p, const double reference[ELBOW_RRR_JOINTS],
+    const double lower[ELBOW_RRR_JOINTS], const double upper[ELBOW_RRR_JOINTS], int capacity,
+    double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[])
+{
+    const double *low = lower == NULL ? elbow_rrr_lower : lower;
+    const double *high = upper == NULL ? elbow_rrr_upper : upper;
+    elbow_rrr_solutions found;
+    double total = 0.0;
+    int used = 0;
+    if (!all_intervals(low, high)) {
+        return ELBOW_RRR_BAD_LIMIT;
+    }
+    if (elbow_rrr_solve(T, p, reference, &found) <= 0) {
+        return found.status;
+    }
+    for (int k = 0; k < found.count; ++k) {
+        double first[ELBOW_RRR_JOINTS], last[ELBOW_RRR_JOINTS], turns[ELBOW_RRR_JOINTS], number = 1.0;
+        for (int i = 0; i < ELBOW_RRR_JOINTS; ++i) {
+            turns_of(i, found.q[k][i], low[i], high[i], &first[i], &last[i]);
+            if (kinds[i] == 'R' && !(isfinite(low[i]) && isfinite(high[i]))) {
+                first[i] = fmax(first[i], 0.0);
+                last[i] = fmin(last[i], 0.0);
+            }
+            turns[i] = first[i];
+            number *= fmax(last[i] - first[i] + 1.0, 0.0);
+        }
+        total += number;
+        for (double done = 0.0; done < number && used < capacity; done += 1.0) {
+            for (int i = 0; i < ELBOW_RRR_JOINTS; ++i) {
+                q[used][i] = moved(i, found.q[k][i], turns[i], low[i], high[i]);
+            }
+            marks[used] = found.marks[k];
+            ++used;
+            for (int i = ELBOW_RRR_JOINTS - 1; i >= 0; --i) {
+                if (turns[i] < last[i]) {
+                    turns[i] += 1.0;
+                    break;
+                }
+                turns[i] = first[i];
+            }
+        }
+    }
+    return total < INT_MAX ? (int)total : INT_MAX;
+}
+
+elbow_rrr_status elbow_rrr_nearest(const double T[16], const elbow_rrr_params *p,
+    const double reference[ELBOW_RRR_JOINTS], const double weights[ELBOW_RRR_JOINTS],
+    const double lower[ELBOW_RRR_JOINTS], const double upper[ELBOW_RRR_JOINTS], double q[ELBOW_RRR_JOINTS])
+{
+    const double *low = lower == NULL ? elbow_rrr_lower : lower;
+    const double *high = upper == NULL ? elbow_rrr_upper : upper;
+    elbow_rrr_solutions found;
+    elbow_rrr_status status = ELBOW_RRR_UNREACHABLE;
+    double least = HUGE_VAL;
+    if (!all_intervals(low, high)) {
+        return ELBOW_RRR_BAD_LIMIT;
+    }
+    for (int i = 0; weights != NULL && i < ELBOW_RRR_JOINTS; ++i) {
+        if (!(weights[i] >= 0.0 && weights[i] < HUGE_VAL)) {
+            return ELBOW_RRR_BAD_WEIGHT;
+        }
+    }
+    if (elbow_rrr_solve(T, p, reference, &found) <= 0) {
+        return found.status;
+    }
+    for (int k = 0; k < found.count; ++k) {
+        double trial[ELBOW_RRR_JOINTS], cost = 0.0;
+        int fits = 1;
+        for (int i = 0; i < ELBOW_RRR_JOINTS; ++i) {
+            const double x = found.q[k][i], wanted = reference == NULL ? 0.0 : reference[i];
+            double first, last;
+            turns_of(i, x, low[i], high[i], &first, &last);
+            fits = fits && first <= last;
+            trial[i] = moved(i, x, fmin(fmax(ceil((wanted - x) / TURN - 0.5), first), last), low[i], high[i]);
+            cost += (weights == NULL ? 1.0 : weights[i]) * ((trial[i] - wanted) * (trial[i] - wanted));
+        }
+        if (fits && (status == ELBOW_RRR_UNREACHABLE || cost < least * (1.0 - 1e-9))) {
+            status = status_of(found.marks[k]);
+            least = cost;
+            for (int i = 0; i < ELBOW_RRR_JOINTS; ++i) {
+                q[i] = trial[i];
+            }
+        }
+    }
+    return status;
 }

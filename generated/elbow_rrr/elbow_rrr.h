@@ -38,9 +38,17 @@ extern "C" {
 #define ELBOW_RRR_JOINTS 3
 #define ELBOW_RRR_MAX_SOLUTIONS 4
 
-/* What elbow_rrr_ik returns instead of a number of solutions. */
-#define ELBOW_RRR_NOT_A_POSE (-1)
-#define ELBOW_RRR_BAD_PARAMETER (-2)
+/* What a call came to. Functions that return a number of solutions return a negative value instead of one. */
+typedef enum elbow_rrr_status {
+    ELBOW_RRR_UNREACHABLE = 0, /* no solution */
+    ELBOW_RRR_SOLVED = 1,
+    ELBOW_RRR_SINGULAR = 2, /* solved, with a joint that is free or on a border */
+    ELBOW_RRR_NOT_A_POSE = -1,
+    ELBOW_RRR_BAD_PARAMETER = -2,
+    ELBOW_RRR_BAD_REFERENCE = -3,
+    ELBOW_RRR_BAD_LIMIT = -4,
+    ELBOW_RRR_BAD_WEIGHT = -5
+} elbow_rrr_status;
 
 /* The parameters of the table. */
 typedef struct elbow_rrr_params {
@@ -57,6 +65,16 @@ void elbow_rrr_fk(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p, d
 void elbow_rrr_jacobian(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p,
     double J[6 * ELBOW_RRR_JOINTS]);
 
+/*
+ * Singular poses:
+ *   s3 = 0: elbow singularity: axes 2 and 3 and the end point lie in one plane: the arm is stretched or
+ *     folded.
+ *   a2*c2 + a3*c23 = 0: shoulder singularity: the end point lies on axis 1.
+ * Families of solutions; a free joint takes its value in the reference:
+ *   a2*c2 + a3*c23 = 0: theta1 is free; theta2 and theta3 stay constant.
+ *   p13_x^2 + p13_y^2 = 0: theta2 is free if two links have the same length and lie folded on each other.
+ */
+
 /* Inverse kinematics: every solution of the pose T, angles in (-pi, pi], a fixed order of branches.
  *
  * Returns the number of solutions, at most ELBOW_RRR_MAX_SOLUTIONS (q needs room for so many; rows beyond the
@@ -71,6 +89,67 @@ int elbow_rrr_ik(const double T[16], const elbow_rrr_params *p, double q[][ELBOW
  * reference that is NULL is all zeros. */
 int elbow_rrr_ik_near(const double T[16], const elbow_rrr_params *p, const double reference[ELBOW_RRR_JOINTS],
     double q[][ELBOW_RRR_JOINTS]);
+
+/* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
+ * ELBOW_RRR_MAX_SOLUTIONS - 1,
+ * whatever branches have no solution. free and border: bit i stands for joint i; free joints take the value of the
+ * reference (several: their sum does), of border joints two solutions meet in this one. */
+typedef struct elbow_rrr_mark {
+    unsigned branch, free, border;
+} elbow_rrr_mark;
+
+/* The same; marks[i] belongs to q[i]. */
+int elbow_rrr_ik_marked(const double T[16], const elbow_rrr_params *p,
+    const double reference[ELBOW_RRR_JOINTS], double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[]);
+
+/* The names of the branches by their number:
+ *  0: shoulder right, elbow down
+ *  1: shoulder right, elbow up
+ *  2: shoulder left, elbow up
+ *  3: shoulder left, elbow down
+ *  shoulder right: seen from axis 1 towards the end point, axis 1 upward, axis 2 points to the right.
+ *  elbow up: seen with axis 1 upward and the side of axis 1 that the arm reaches to on the right, axis 3
+ *    lies to the left of the way from axis 2 to the end point, which is above it wherever it leads to the
+ *    right.
+ */
+extern const char *const elbow_rrr_branches[ELBOW_RRR_MAX_SOLUTIONS];
+
+/* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
+extern const double elbow_rrr_lower[ELBOW_RRR_JOINTS], elbow_rrr_upper[ELBOW_RRR_JOINTS];
+
+/* The solutions of one pose in the order of branches, and what the call came to. */
+typedef struct elbow_rrr_solutions {
+    elbow_rrr_status status;
+    int count; /* 0 unless the status is ELBOW_RRR_SOLVED or ELBOW_RRR_SINGULAR */
+    double q[ELBOW_RRR_MAX_SOLUTIONS][ELBOW_RRR_JOINTS];
+    elbow_rrr_mark marks[ELBOW_RRR_MAX_SOLUTIONS];
+} elbow_rrr_solutions;
+
+/* ik_marked with a status, which is returned as well; ELBOW_RRR_BAD_REFERENCE if the reference is not finite. */
+elbow_rrr_status elbow_rrr_solve(const double T[16], const elbow_rrr_params *p,
+    const double reference[ELBOW_RRR_JOINTS], elbow_rrr_solutions *out);
+
+/* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
+ * families above says. */
+unsigned elbow_rrr_family(unsigned free);
+
+/* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
+ * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
+ * fit; a length is never wound.
+ * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
+ * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
+ * ELBOW_RRR_BAD_LIMIT if limits are no interval. */
+int elbow_rrr_within(const double T[16], const elbow_rrr_params *p, const double reference[ELBOW_RRR_JOINTS],
+    const double lower[ELBOW_RRR_JOINTS], const double upper[ELBOW_RRR_JOINTS], int capacity,
+    double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[]);
+
+/* The solution nearest to a reference: least is the sum of weights (NULL: 1) times squared differences, over all
+ * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
+ * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
+ * there is none. ELBOW_RRR_BAD_WEIGHT if a weight is negative or not finite. */
+elbow_rrr_status elbow_rrr_nearest(const double T[16], const elbow_rrr_params *p,
+    const double reference[ELBOW_RRR_JOINTS], const double weights[ELBOW_RRR_JOINTS],
+    const double lower[ELBOW_RRR_JOINTS], const double upper[ELBOW_RRR_JOINTS], double q[ELBOW_RRR_JOINTS]);
 
 #ifdef __cplusplus
 }

@@ -41,9 +41,17 @@ extern "C" {
 #define FANUC_S900W_JOINTS 6
 #define FANUC_S900W_MAX_SOLUTIONS 8
 
-/* What fanuc_s900w_ik returns instead of a number of solutions. */
-#define FANUC_S900W_NOT_A_POSE (-1)
-#define FANUC_S900W_BAD_PARAMETER (-2)
+/* What a call came to. Functions that return a number of solutions return a negative value instead of one. */
+typedef enum fanuc_s900w_status {
+    FANUC_S900W_UNREACHABLE = 0, /* no solution */
+    FANUC_S900W_SOLVED = 1,
+    FANUC_S900W_SINGULAR = 2, /* solved, with a joint that is free or on a border */
+    FANUC_S900W_NOT_A_POSE = -1,
+    FANUC_S900W_BAD_PARAMETER = -2,
+    FANUC_S900W_BAD_REFERENCE = -3,
+    FANUC_S900W_BAD_LIMIT = -4,
+    FANUC_S900W_BAD_WEIGHT = -5
+} fanuc_s900w_status;
 
 /* The parameters of the table. */
 typedef struct fanuc_s900w_params {
@@ -62,6 +70,20 @@ void fanuc_s900w_fk(const double q[FANUC_S900W_JOINTS], const fanuc_s900w_params
 void fanuc_s900w_jacobian(const double q[FANUC_S900W_JOINTS], const fanuc_s900w_params *p,
     double J[6 * FANUC_S900W_JOINTS]);
 
+/*
+ * Singular poses:
+ *   s5 = 0: wrist singularity: axes 4 and 6 coincide.
+ *   d4*c3 - a3*s3 = 0: elbow singularity: axes 2 and 3 and the wrist centre lie in one plane: the arm is
+ *     stretched or folded.
+ *   a2*c2 + a3*c23 + d4*s23 + a1 = 0: shoulder singularity: the wrist centre lies on axis 1.
+ * Families of solutions; a free joint takes its value in the reference:
+ *   theta5 = 0: theta4 is free; theta4 + theta6, theta1, theta2 and theta3 stay constant; theta6 follows.
+ *   theta5 = pi: theta4 is free; theta4 - theta6, theta1, theta2 and theta3 stay constant; theta6 follows.
+ *   a2*c2 + a3*c23 + d4*s23 + a1 = 0: theta1 is free; theta2 and theta3 stay constant; theta4, theta5 and
+ *     theta6 follow.
+ *   p06_z^2 + p16_x^2 = 0: theta2 is free if two links have the same length and lie folded on each other.
+ */
+
 /* Inverse kinematics: every solution of the pose T, angles in (-pi, pi], a fixed order of branches.
  *
  * Returns the number of solutions, at most FANUC_S900W_MAX_SOLUTIONS (q needs room for so many; rows beyond the
@@ -76,6 +98,75 @@ int fanuc_s900w_ik(const double T[16], const fanuc_s900w_params *p, double q[][F
  * reference that is NULL is all zeros. */
 int fanuc_s900w_ik_near(const double T[16], const fanuc_s900w_params *p,
     const double reference[FANUC_S900W_JOINTS], double q[][FANUC_S900W_JOINTS]);
+
+/* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
+ * FANUC_S900W_MAX_SOLUTIONS - 1,
+ * whatever branches have no solution. free and border: bit i stands for joint i; free joints take the value of the
+ * reference (several: their sum does), of border joints two solutions meet in this one. */
+typedef struct fanuc_s900w_mark {
+    unsigned branch, free, border;
+} fanuc_s900w_mark;
+
+/* The same; marks[i] belongs to q[i]. */
+int fanuc_s900w_ik_marked(const double T[16], const fanuc_s900w_params *p,
+    const double reference[FANUC_S900W_JOINTS], double q[][FANUC_S900W_JOINTS], fanuc_s900w_mark marks[]);
+
+/* The names of the branches by their number:
+ *  0: shoulder right, elbow down, wrist not flipped
+ *  1: shoulder right, elbow down, wrist flipped
+ *  2: shoulder right, elbow up, wrist not flipped
+ *  3: shoulder right, elbow up, wrist flipped
+ *  4: shoulder left, elbow up, wrist not flipped
+ *  5: shoulder left, elbow up, wrist flipped
+ *  6: shoulder left, elbow down, wrist not flipped
+ *  7: shoulder left, elbow down, wrist flipped
+ *  shoulder right: seen from axis 1 towards the point where axes 5 and 6 meet, axis 1 upward, axis 2 points
+ *    to the right.
+ *  elbow up: seen with axis 1 upward and the side of axis 1 that the arm reaches to on the right, axis 3
+ *    lies to the left of the way from axis 2 to the point where axes 5 and 6 meet, which is above it
+ *    wherever it leads to the right.
+ *  wrist not flipped: about axis 5, axis 6 is less than half a turn ahead of axis 4.
+ */
+extern const char *const fanuc_s900w_branches[FANUC_S900W_MAX_SOLUTIONS];
+
+/* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
+extern const double fanuc_s900w_lower[FANUC_S900W_JOINTS], fanuc_s900w_upper[FANUC_S900W_JOINTS];
+
+/* The solutions of one pose in the order of branches, and what the call came to. */
+typedef struct fanuc_s900w_solutions {
+    fanuc_s900w_status status;
+    int count; /* 0 unless the status is FANUC_S900W_SOLVED or FANUC_S900W_SINGULAR */
+    double q[FANUC_S900W_MAX_SOLUTIONS][FANUC_S900W_JOINTS];
+    fanuc_s900w_mark marks[FANUC_S900W_MAX_SOLUTIONS];
+} fanuc_s900w_solutions;
+
+/* ik_marked with a status, which is returned as well; FANUC_S900W_BAD_REFERENCE if the reference is not finite. */
+fanuc_s900w_status fanuc_s900w_solve(const double T[16], const fanuc_s900w_params *p,
+    const double reference[FANUC_S900W_JOINTS], fanuc_s900w_solutions *out);
+
+/* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
+ * families above says. */
+unsigned fanuc_s900w_family(unsigned free);
+
+/* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
+ * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
+ * fit; a length is never wound.
+ * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
+ * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
+ * FANUC_S900W_BAD_LIMIT if limits are no interval. */
+int fanuc_s900w_within(const double T[16], const fanuc_s900w_params *p,
+    const double reference[FANUC_S900W_JOINTS], const double lower[FANUC_S900W_JOINTS],
+    const double upper[FANUC_S900W_JOINTS], int capacity, double q[][FANUC_S900W_JOINTS],
+    fanuc_s900w_mark marks[]);
+
+/* The solution nearest to a reference: least is the sum of weights (NULL: 1) times squared differences, over all
+ * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
+ * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
+ * there is none. FANUC_S900W_BAD_WEIGHT if a weight is negative or not finite. */
+fanuc_s900w_status fanuc_s900w_nearest(const double T[16], const fanuc_s900w_params *p,
+    const double reference[FANUC_S900W_JOINTS], const double weights[FANUC_S900W_JOINTS],
+    const double lower[FANUC_S900W_JOINTS], const double upper[FANUC_S900W_JOINTS],
+    double q[FANUC_S900W_JOINTS]);
 
 #ifdef __cplusplus
 }

@@ -18,6 +18,7 @@
  */
 #include "planar_rrr_screw.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stddef.h>
 
@@ -125,16 +126,30 @@ void planar_rrr_screw_jacobian(const double q[PLANAR_RRR_SCREW_JOINTS], const pl
     J[17] = 1.0;
 }
 
+/* The marks of a root: its unknown is free; two roots meet in it; it lies so near to one of these that its last digits
+ * are lost; it may not exist. */
+#define IS_FREE 1
+#define IS_BORDER 2
+#define IS_SOFT 4
+#define IS_DOUBTFUL 8
+
+/* How far beside a special pose a root is marked, in tolerances: a millionth of the equation's unit. */
+#define NEAR 67108864.0
+
 /* Two links l1, l2 that reach (x, y). The second link has the components k along the first link and w across
- * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. */
-static int solve_triangle(double x, double y, double l1, double l2, double t,
-                          double *k, double w[2], double *along)
+ * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. Out of reach
+ * there is none, but just out of it, or anywhere if loose, one in doubt. */
+static int solve_triangle(double x, double y, double l1, double l2, double t, int loose,
+                          double *k, double w[2], double *along, int mark[2])
 {
-    const double rr = x * x + y * y;
+    const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
     const double from_outer = outer * outer - rr, from_inner = rr - inner * inner;
     const double t_outer = 2.0 * outer * t, t_inner = 2.0 * fabs(inner) * t + t * t;
-    if (!(from_outer >= -t_outer && from_inner >= -t_inner && fabs(l1) > t)) {
+    const double near_outer = 2.0 * outer * near, near_inner = 2.0 * fabs(inner) * near + near * near;
+    const int reached = from_outer >= -t_outer && from_inner >= -t_inner;
+    const int doubtful = loose ? isfinite(rr) : from_outer >= -near_outer && from_inner >= -near_inner;
+    if (!((reached || doubtful) && fabs(l1) > t)) {
         return 0;
     }
     *along = (rr + (l1 - l2) * (l1 + l2)) / (2.0 * l1);
@@ -142,28 +157,32 @@ static int solve_triangle(double x, double y, double l1, double l2, double t,
         const int same_way = (from_outer <= t_outer) == (l1 > 0.0);
         *k = same_way ? fabs(l2) : -fabs(l2);
         w[0] = 0.0;
+        mark[0] = reached ? IS_BORDER : IS_BORDER | IS_DOUBTFUL;
         return 1;
     }
     *k = (rr - l1 * l1 - l2 * l2) / (2.0 * l1);
     w[0] = sqrt(from_outer * from_inner) / (2.0 * fabs(l1));
     w[1] = -w[0];
+    mark[0] = mark[1] = from_outer <= near_outer || from_inner <= near_inner ? IS_SOFT : 0;
     return 2;
 }
 
 /* The angle that turns (along, across) into the direction of (x, y); free if (x, y) vanishes. */
-static void solve_direction(double x, double y, double along, double across, double t, double reference,
-                            double *c, double *s)
+static int solve_direction(double x, double y, double along, double across, double t, double reference,
+                           double *c, double *s)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
+    const double rr = x * x + y * y;
     const double r = sqrt(nc * nc + ns * ns);
-    if (x * x + y * y <= t * t || r == 0.0) {
+    if (rr <= t * t || r == 0.0) {
         *c = cos(reference);
         *s = sin(reference);
-    } else {
-        *c = nc / r;
-        *s = ns / r;
+        return IS_FREE;
     }
+    *c = nc / r;
+    *s = ns / r;
+    return rr <= NEAR * NEAR * t * t ? IS_SOFT : 0;
 }
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
@@ -237,8 +256,191 @@ static int reaches(const double q[PLANAR_RRR_SCREW_JOINTS], const planar_rrr_scr
     return 1;
 }
 
-int planar_rrr_screw_ik_near(const double T[16], const planar_rrr_screw_params *p,
-    const double reference[PLANAR_RRR_SCREW_JOINTS], double q[][PLANAR_RRR_SCREW_JOINTS])
+/* The entries of the pose that the task asks for, by their place in a matrix. */
+#define ENTRIES 4
+static const int entry_of[ENTRIES] = {0, 4, 3, 7};
+
+/* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
+static double distance(const double q[PLANAR_RRR_SCREW_JOINTS], const planar_rrr_screw_params *p,
+    const double M[12], double size, double e[ENTRIES])
+{
+    double T[16], sum = 0.0;
+    planar_rrr_screw_fk(q, p, T);
+    for (int i = 0; i < ENTRIES; ++i) {
+        e[i] = (T[entry_of[i]] - M[entry_of[i]]) / (entry_of[i] % 4 == 3 ? size : 1.0);
+        sum += e[i] * e[i];
+    }
+    return sqrt(sum);
+}
+
+/* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
+ * angular velocity. */
+static void slopes(const double q[PLANAR_RRR_SCREW_JOINTS], const planar_rrr_screw_params *p, double size,
+    double D[ENTRIES][PLANAR_RRR_SCREW_JOINTS])
+{
+    double T[16], J[6 * PLANAR_RRR_SCREW_JOINTS];
+    planar_rrr_screw_fk(q, p, T);
+    planar_rrr_screw_jacobian(q, p, J);
+    for (int i = 0; i < ENTRIES; ++i) {
+        const int row = entry_of[i] / 4, column = entry_of[i] % 4, next = (row + 1) % 3, last = (row + 2) % 3;
+        for (int j = 0; j < PLANAR_RRR_SCREW_JOINTS; ++j) {
+            const double *v = J + j, *w = v + 3 * PLANAR_RRR_SCREW_JOINTS;
+            const double turned = w[next * PLANAR_RRR_SCREW_JOINTS] * T[4 * last + column]
+                - w[last * PLANAR_RRR_SCREW_JOINTS] * T[4 * next + column];
+            D[i][j] = column == 3 ? v[row * PLANAR_RRR_SCREW_JOINTS] / size : turned;
+        }
+    }
+}
+
+/* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
+ * orthogonal to each other (modified Gram and Schmidt, the right side last). */
+static void step(double D[ENTRIES][PLANAR_RRR_SCREW_JOINTS], const double e[ENTRIES], double damping,
+    double g[PLANAR_RRR_SCREW_JOINTS])
+{
+    double A[PLANAR_RRR_SCREW_JOINTS + 1][ENTRIES + PLANAR_RRR_SCREW_JOINTS];
+    double R[PLANAR_RRR_SCREW_JOINTS][PLANAR_RRR_SCREW_JOINTS + 1];
+    for (int i = 0; i <= PLANAR_RRR_SCREW_JOINTS; ++i) {
+        for (int k = 0; k < ENTRIES + PLANAR_RRR_SCREW_JOINTS; ++k) {
+            A[i][k] = k >= ENTRIES ? (k == ENTRIES + i ? damping : 0.0) : i < PLANAR_RRR_SCREW_JOINTS ? D[k][i] : e[k];
+        }
+    }
+    for (int i = 0; i < PLANAR_RRR_SCREW_JOINTS; ++i) {
+        for (int j = i; j <= PLANAR_RRR_SCREW_JOINTS; ++j) {
+            R[i][j] = 0.0;
+            for (int k = 0; k < ENTRIES + PLANAR_RRR_SCREW_JOINTS; ++k) {
+                R[i][j] += A[i][k] * A[j][k];
+            }
+            R[i][j] = j == i ? sqrt(R[i][i]) : R[i][j] / R[i][i];
+            for (int k = 0; k < ENTRIES + PLANAR_RRR_SCREW_JOINTS; ++k) {
+                A[j][k] -= j == i ? 0.0 : R[i][j] / R[i][i] * A[i][k];
+            }
+        }
+    }
+    for (int i = PLANAR_RRR_SCREW_JOINTS - 1; i >= 0; --i) {
+        g[i] = R[i][PLANAR_RRR_SCREW_JOINTS];
+        for (int k = i + 1; k < PLANAR_RRR_SCREW_JOINTS; ++k) {
+            g[i] -= R[i][k] * g[k];
+        }
+        g[i] /= R[i][i];
+    }
+}
+
+/* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
+ * Jacobian loses rank. Returns the distance. */
+static double polish(double q[PLANAR_RRR_SCREW_JOINTS], const planar_rrr_screw_params *p, const double M[12],
+    double size)
+{
+    double e[ENTRIES], D[ENTRIES][PLANAR_RRR_SCREW_JOINTS], g[PLANAR_RRR_SCREW_JOINTS], trial[PLANAR_RRR_SCREW_JOINTS];
+    double left = distance(q, p, M, size, e), caution = 1.0;
+    for (int pass = 0; pass < 40 && left > 1e-15 && caution < 1e9; ++pass) {
+        slopes(q, p, size, D);
+        step(D, e, fmax(left, 1e-14) * caution, g);
+        for (int i = 0; i < PLANAR_RRR_SCREW_JOINTS; ++i) {
+            trial[i] = q[i] - g[i];
+        }
+        const double reached = distance(trial, p, M, size, e);
+        if (reached < left) {
+            for (int i = 0; i < PLANAR_RRR_SCREW_JOINTS; ++i) {
+                q[i] = trial[i];
+            }
+            left = reached;
+            caution *= 0.1;
+        } else {
+            distance(q, p, M, size, e);
+            caution *= 10.0;
+        }
+    }
+    return left;
+}
+
+/* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
+ * Where two borders cross the distance is stationary, and a second start lies beside it. A border
+ * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
+ * q, on branch twin. */
+static int settle(double q[][PLANAR_RRR_SCREW_JOINTS], planar_rrr_screw_mark marks[], double alike[],
+    unsigned twin, int mark, const planar_rrr_screw_params *p, const double M[12], double tau, double size)
+{
+    double e[ENTRIES], start[PLANAR_RRR_SCREW_JOINTS], other[PLANAR_RRR_SCREW_JOINTS];
+    const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
+    double left = distance(q[0], p, M, unit, e);
+    if (!(left > reach)) {
+        return left <= reach;
+    }
+    for (int i = 0; i < PLANAR_RRR_SCREW_JOINTS; ++i) {
+        start[i] = q[0][i];
+    }
+    left = polish(q[0], p, M, unit);
+    for (int trial = 1; trial < 4 && left > reach; ++trial) {
+        const double beside = pow(left, 1.0 / (1.0 + trial));
+        for (int i = 0; i < PLANAR_RRR_SCREW_JOINTS; ++i) {
+            other[i] = start[i] + beside * cos(1.0 + i);
+        }
+        const double reached = polish(other, p, M, unit);
+        for (int i = 0; i < PLANAR_RRR_SCREW_JOINTS && reached < left; ++i) {
+            q[0][i] = other[i];
+        }
+        left = fmin(left, reached);
+    }
+    int found = left <= ((mark & IS_DOUBTFUL) ? fmax(1e-12, reach) : fmax(1e-9, reach));
+    if (found && (mark & IS_BORDER)) {
+        for (int i = 0; i < PLANAR_RRR_SCREW_JOINTS; ++i) {
+            q[1][i] = start[i] - (q[0][i] - start[i]);
+        }
+        found += polish(q[1], p, M, unit) <= reach;
+        marks[1] = marks[0];
+        marks[1].branch = twin;
+        alike[1] = 1e-3;
+    }
+    alike[0] = (mark & IS_DOUBTFUL) ? 1e-3 : 1e-6;
+    for (int k = 0; k < found; ++k) {
+        for (int i = 0; i < PLANAR_RRR_SCREW_JOINTS; ++i) {
+            q[k][i] = wrap(q[k][i]);
+        }
+    }
+    return found;
+}
+
+/* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
+ * alike tells, and puts the rest in the order of their branches; returns how many are left. */
+static int tidied(double q[][PLANAR_RRR_SCREW_JOINTS], planar_rrr_screw_mark marks[], const double alike[],
+    int count)
+{
+    int kept = 0;
+    for (int i = 0; i < count; ++i) {
+        double moved[PLANAR_RRR_SCREW_JOINTS];
+        const planar_rrr_screw_mark mark = marks[i];
+        int copy = 0, place = kept;
+        for (int j = 0; j < count && !copy && alike[i] > 0.0; ++j) {
+            copy = j < kept || (j > i && alike[j] < alike[i]);
+            for (int k = 0; k < PLANAR_RRR_SCREW_JOINTS && copy; ++k) {
+                const double gap = q[i][k] - q[j][k];
+                copy = fabs(wrap(gap)) <= alike[i];
+            }
+        }
+        if (copy) {
+            continue;
+        }
+        for (int k = 0; k < PLANAR_RRR_SCREW_JOINTS; ++k) {
+            moved[k] = q[i][k];
+        }
+        for (; place > 0 && marks[place - 1].branch > mark.branch; --place) {
+            marks[place] = marks[place - 1];
+            for (int k = 0; k < PLANAR_RRR_SCREW_JOINTS; ++k) {
+                q[place][k] = q[place - 1][k];
+            }
+        }
+        marks[place] = mark;
+        for (int k = 0; k < PLANAR_RRR_SCREW_JOINTS; ++k) {
+            q[place][k] = moved[k];
+        }
+        ++kept;
+    }
+    return kept;
+}
+
+int planar_rrr_screw_ik_marked(const double T[16], const planar_rrr_screw_params *p,
+    const double reference[PLANAR_RRR_SCREW_JOINTS], double q[][PLANAR_RRR_SCREW_JOINTS],
+    planar_rrr_screw_mark marks[])
 {
     static const double zeros[PLANAR_RRR_SCREW_JOINTS] = {0.0};
     if (reference == NULL) {
@@ -259,6 +461,8 @@ int planar_rrr_screw_ik_near(const double T[16], const planar_rrr_screw_params *
     const double a3 = p->a3;
     const double size = fabs(a1) + fabs(a2) + fabs(a3);
     const double tau = 1.4210854715202004e-14 + defect;
+    double alike[PLANAR_RRR_SCREW_MAX_SOLUTIONS];
+    int special = 0;
     int count = 0;
 
     /* T_0_3: what is known moved to the left side */
@@ -272,29 +476,222 @@ int planar_rrr_screw_ik_near(const double T[16], const planar_rrr_screw_params *
 
     /* (2) theta2: two-link triangle (square and add): p03_x = a1*c1 + a2*c12; p03_y = a1*s1 + a2*s12 */
     double k_2, w_2_roots[2], h_2;
-    const int n1 = solve_triangle(p03_x, p03_y, a1, a2, tau * size, &k_2, w_2_roots, &h_2);
+    int mark2_roots[2];
+    const int n1 = solve_triangle(p03_x, p03_y, a1, a2, tau * size, 0, &k_2, w_2_roots, &h_2, mark2_roots);
     for (int i1 = 0; i1 < n1; ++i1) {
         const double w_2 = w_2_roots[i1];
+        const int mark2 = mark2_roots[i1];
         const double c2 = k_2 / a2;
         const double s2 = w_2 / a2;
         const double theta2 = angle_of(s2, c2);
 
         /* (3) theta1: direction of the first link: p03_x = a1*c1 + a2*c12; p03_y = a1*s1 + a2*s12 */
         double c1, s1;
-        solve_direction(p03_x, p03_y, h_2, w_2, tau * size, reference[0], &c1, &s1);
+        const int mark3 = solve_direction(p03_x, p03_y, h_2, w_2, tau * size, reference[0], &c1, &s1);
         const double theta1 = angle_of(s1, c1);
         const double theta3 = wrap(theta123 - theta1 - theta2);
 
         q[count][0] = theta1;
         q[count][1] = theta2;
         q[count][2] = theta3;
-        count += reaches(q[count], p, M, tau, size);
+        const unsigned branch = (unsigned)(i1);
+        marks[count].branch = branch;
+        const int mark = mark2 | mark3;
+        alike[count] = (mark & IS_DOUBTFUL) ? 1e-3 : 0.0;
+        special |= mark;
+        marks[count].free = (mark3 & IS_FREE ? 1u : 0u);
+        marks[count].border = (mark2 & IS_BORDER ? 2u : 0u);
+        count += mark ? settle(q + count, marks + count, alike + count, branch
+            + (mark2 & IS_BORDER ? 1u : 0u), mark, p, M, tau, size) : reaches(q[count], p, M, tau, size);
     }
-    return count;
+    return special ? tidied(q, marks, alike, count) : count;
+}
+
+int planar_rrr_screw_ik_near(const double T[16], const planar_rrr_screw_params *p,
+    const double reference[PLANAR_RRR_SCREW_JOINTS], double q[][PLANAR_RRR_SCREW_JOINTS])
+{
+    planar_rrr_screw_mark marks[PLANAR_RRR_SCREW_MAX_SOLUTIONS];
+    return planar_rrr_screw_ik_marked(T, p, reference, q, marks);
 }
 
 int planar_rrr_screw_ik(const double T[16], const planar_rrr_screw_params *p,
     double q[][PLANAR_RRR_SCREW_JOINTS])
 {
     return planar_rrr_screw_ik_near(T, p, NULL, q);
+}
+
+const char *const planar_rrr_screw_branches[PLANAR_RRR_SCREW_MAX_SOLUTIONS] = {
+    "elbow right",
+    "elbow left",
+};
+
+const double planar_rrr_screw_lower[PLANAR_RRR_SCREW_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+const double planar_rrr_screw_upper[PLANAR_RRR_SCREW_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+
+/* A letter for each joint: R is wound by whole turns, P slides. */
+static const char kinds[] = "RRR";
+
+/* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
+#define TURN 6.283185307179586
+#define SLACK 1e-12
+
+/* Whether these are numbers; NULL counts as such. */
+static int are_numbers(const double x[PLANAR_RRR_SCREW_JOINTS])
+{
+    for (int i = 0; x != NULL && i < PLANAR_RRR_SCREW_JOINTS; ++i) {
+        if (!isfinite(x[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* Whether the limits of every joint are an interval. Written so that NaN fails. */
+static int all_intervals(const double lower[PLANAR_RRR_SCREW_JOINTS], const double upper[PLANAR_RRR_SCREW_JOINTS])
+{
+    for (int i = 0; i < PLANAR_RRR_SCREW_JOINTS; ++i) {
+        if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
+static void turns_of(int i, double x, double low, double high, double *first, double *last)
+{
+    const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
+    *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
+    *last = kinds[i] == 'R' ? floor(end / TURN) : 0.0;
+}
+
+/* The value of joint i after whole turns, inside the limits that it is within the slack of. */
+static double moved(int i, double x, double turns, double low, double high)
+{
+    return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
+}
+
+/* What a solution with this mark comes to. */
+static planar_rrr_screw_status status_of(planar_rrr_screw_mark special)
+{
+    return special.free | special.border ? PLANAR_RRR_SCREW_SINGULAR : PLANAR_RRR_SCREW_SOLVED;
+}
+
+planar_rrr_screw_status planar_rrr_screw_solve(const double T[16], const planar_rrr_screw_params *p,
+    const double reference[PLANAR_RRR_SCREW_JOINTS], planar_rrr_screw_solutions *out)
+{
+    out->count = 0;
+    out->status = PLANAR_RRR_SCREW_BAD_REFERENCE;
+    if (!are_numbers(reference)) {
+        return out->status;
+    }
+    const int count = planar_rrr_screw_ik_marked(T, p, reference, out->q, out->marks);
+    if (count <= 0) {
+        out->status = count == PLANAR_RRR_SCREW_NOT_A_POSE ? PLANAR_RRR_SCREW_NOT_A_POSE
+            : count == PLANAR_RRR_SCREW_BAD_PARAMETER ? PLANAR_RRR_SCREW_BAD_PARAMETER : PLANAR_RRR_SCREW_UNREACHABLE;
+        return out->status;
+    }
+    out->count = count;
+    out->status = PLANAR_RRR_SCREW_SOLVED;
+    for (int k = 0; k < count; ++k) {
+        if (status_of(out->marks[k]) == PLANAR_RRR_SCREW_SINGULAR) {
+            out->status = PLANAR_RRR_SCREW_SINGULAR;
+        }
+    }
+    return out->status;
+}
+
+unsigned planar_rrr_screw_family(unsigned free)
+{
+    unsigned moving = free;
+    return moving;
+}
+
+int planar_rrr_screw_within(const double T[16], const planar_rrr_screw_params *p,
+    const double reference[PLANAR_RRR_SCREW_JOINTS], const double lower[PLANAR_RRR_SCREW_JOINTS],
+    const double upper[PLANAR_RRR_SCREW_JOINTS], int capacity, double q[][PLANAR_RRR_SCREW_JOINTS],
+    planar_rrr_screw_mark marks[])
+{
+    const double *low = lower == NULL ? planar_rrr_screw_lower : lower;
+    const double *high = upper == NULL ? planar_rrr_screw_upper : upper;
+    planar_rrr_screw_solutions found;
+    double total = 0.0;
+    int used = 0;
+    if (!all_intervals(low, high)) {
+        return PLANAR_RRR_SCREW_BAD_LIMIT;
+    }
+    if (planar_rrr_screw_solve(T, p, reference, &found) <= 0) {
+        return found.status;
+    }
+    for (int k = 0; k < found.count; ++k) {
+        double first[PLANAR_RRR_SCREW_JOINTS], last[PLANAR_RRR_SCREW_JOINTS], turns[PLANAR_RRR_SCREW_JOINTS], number = 1.0;
+        for (int i = 0; i < PLANAR_RRR_SCREW_JOINTS; ++i) {
+            turns_of(i, found.q[k][i], low[i], high[i], &first[i], &last[i]);
+            if (kinds[i] == 'R' && !(isfinite(low[i]) && isfinite(high[i]))) {
+                first[i] = fmax(first[i], 0.0);
+                last[i] = fmin(last[i], 0.0);
+            }
+            turns[i] = first[i];
+            number *= fmax(last[i] - first[i] + 1.0, 0.0);
+        }
+        total += number;
+        for (double done = 0.0; done < number && used < capacity; done += 1.0) {
+            for (int i = 0; i < PLANAR_RRR_SCREW_JOINTS; ++i) {
+                q[used][i] = moved(i, found.q[k][i], turns[i], low[i], high[i]);
+            }
+            marks[used] = found.marks[k];
+            ++used;
+            for (int i = PLANAR_RRR_SCREW_JOINTS - 1; i >= 0; --i) {
+                if (turns[i] < last[i]) {
+                    turns[i] += 1.0;
+                    break;
+                }
+                turns[i] = first[i];
+            }
+        }
+    }
+    return total < INT_MAX ? (int)total : INT_MAX;
+}
+
+planar_rrr_screw_status planar_rrr_screw_nearest(const double T[16], const planar_rrr_screw_params *p,
+    const double reference[PLANAR_RRR_SCREW_JOINTS], const double weights[PLANAR_RRR_SCREW_JOINTS],
+    const double lower[PLANAR_RRR_SCREW_JOINTS], const double upper[PLANAR_RRR_SCREW_JOINTS],
+    double q[PLANAR_RRR_SCREW_JOINTS])
+{
+    const double *low = lower == NULL ? planar_rrr_screw_lower : lower;
+    const double *high = upper == NULL ? planar_rrr_screw_upper : upper;
+    planar_rrr_screw_solutions found;
+    planar_rrr_screw_status status = PLANAR_RRR_SCREW_UNREACHABLE;
+    double least = HUGE_VAL;
+    if (!all_intervals(low, high)) {
+        return PLANAR_RRR_SCREW_BAD_LIMIT;
+    }
+    for (int i = 0; weights != NULL && i < PLANAR_RRR_SCREW_JOINTS; ++i) {
+        if (!(weights[i] >= 0.0 && weights[i] < HUGE_VAL)) {
+            return PLANAR_RRR_SCREW_BAD_WEIGHT;
+        }
+    }
+    if (planar_rrr_screw_solve(T, p, reference, &found) <= 0) {
+        return found.status;
+    }
+    for (int k = 0; k < found.count; ++k) {
+        double trial[PLANAR_RRR_SCREW_JOINTS], cost = 0.0;
+        int fits = 1;
+        for (int i = 0; i < PLANAR_RRR_SCREW_JOINTS; ++i) {
+            const double x = found.q[k][i], wanted = reference == NULL ? 0.0 : reference[i];
+            double first, last;
+            turns_of(i, x, low[i], high[i], &first, &last);
+            fits = fits && first <= last;
+            trial[i] = moved(i, x, fmin(fmax(ceil((wanted - x) / TURN - 0.5), first), last), low[i], high[i]);
+            cost += (weights == NULL ? 1.0 : weights[i]) * ((trial[i] - wanted) * (trial[i] - wanted));
+        }
+        if (fits && (status == PLANAR_RRR_SCREW_UNREACHABLE || cost < least * (1.0 - 1e-9))) {
+            status = status_of(found.marks[k]);
+            least = cost;
+            for (int i = 0; i < PLANAR_RRR_SCREW_JOINTS; ++i) {
+                q[i] = trial[i];
+            }
+        }
+    }
+    return status;
 }

@@ -39,9 +39,17 @@ extern "C" {
 #define PLANAR_RRR_SCREW_JOINTS 3
 #define PLANAR_RRR_SCREW_MAX_SOLUTIONS 2
 
-/* What planar_rrr_screw_ik returns instead of a number of solutions. */
-#define PLANAR_RRR_SCREW_NOT_A_POSE (-1)
-#define PLANAR_RRR_SCREW_BAD_PARAMETER (-2)
+/* What a call came to. Functions that return a number of solutions return a negative value instead of one. */
+typedef enum planar_rrr_screw_status {
+    PLANAR_RRR_SCREW_UNREACHABLE = 0, /* no solution */
+    PLANAR_RRR_SCREW_SOLVED = 1,
+    PLANAR_RRR_SCREW_SINGULAR = 2, /* solved, with a joint that is free or on a border */
+    PLANAR_RRR_SCREW_NOT_A_POSE = -1,
+    PLANAR_RRR_SCREW_BAD_PARAMETER = -2,
+    PLANAR_RRR_SCREW_BAD_REFERENCE = -3,
+    PLANAR_RRR_SCREW_BAD_LIMIT = -4,
+    PLANAR_RRR_SCREW_BAD_WEIGHT = -5
+} planar_rrr_screw_status;
 
 /* The parameters of the table. */
 typedef struct planar_rrr_screw_params {
@@ -59,6 +67,13 @@ void planar_rrr_screw_fk(const double q[PLANAR_RRR_SCREW_JOINTS], const planar_r
 void planar_rrr_screw_jacobian(const double q[PLANAR_RRR_SCREW_JOINTS], const planar_rrr_screw_params *p,
     double J[6 * PLANAR_RRR_SCREW_JOINTS]);
 
+/*
+ * Singular poses:
+ *   s2 = 0: elbow singularity: axes 1, 2 and 3 lie in one plane: the arm is stretched or folded.
+ * Families of solutions; a free joint takes its value in the reference:
+ *   p03_x^2 + p03_y^2 = 0: theta1 is free if two links have the same length and lie folded on each other.
+ */
+
 /* Inverse kinematics: every solution of the pose T, angles in (-pi, pi], a fixed order of branches.
  *
  * Returns the number of solutions, at most PLANAR_RRR_SCREW_MAX_SOLUTIONS (q needs room for so many; rows beyond the
@@ -74,6 +89,65 @@ int planar_rrr_screw_ik(const double T[16], const planar_rrr_screw_params *p,
  * reference that is NULL is all zeros. */
 int planar_rrr_screw_ik_near(const double T[16], const planar_rrr_screw_params *p,
     const double reference[PLANAR_RRR_SCREW_JOINTS], double q[][PLANAR_RRR_SCREW_JOINTS]);
+
+/* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
+ * PLANAR_RRR_SCREW_MAX_SOLUTIONS - 1,
+ * whatever branches have no solution. free and border: bit i stands for joint i; free joints take the value of the
+ * reference (several: their sum does), of border joints two solutions meet in this one. */
+typedef struct planar_rrr_screw_mark {
+    unsigned branch, free, border;
+} planar_rrr_screw_mark;
+
+/* The same; marks[i] belongs to q[i]. */
+int planar_rrr_screw_ik_marked(const double T[16], const planar_rrr_screw_params *p,
+    const double reference[PLANAR_RRR_SCREW_JOINTS], double q[][PLANAR_RRR_SCREW_JOINTS],
+    planar_rrr_screw_mark marks[]);
+
+/* The names of the branches by their number:
+ *  0: elbow right
+ *  1: elbow left
+ *  elbow left: seen against axis 2, it lies to the left of the way from axis 1 to axis 3.
+ */
+extern const char *const planar_rrr_screw_branches[PLANAR_RRR_SCREW_MAX_SOLUTIONS];
+
+/* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
+extern const double planar_rrr_screw_lower[PLANAR_RRR_SCREW_JOINTS], planar_rrr_screw_upper[PLANAR_RRR_SCREW_JOINTS];
+
+/* The solutions of one pose in the order of branches, and what the call came to. */
+typedef struct planar_rrr_screw_solutions {
+    planar_rrr_screw_status status;
+    int count; /* 0 unless the status is PLANAR_RRR_SCREW_SOLVED or PLANAR_RRR_SCREW_SINGULAR */
+    double q[PLANAR_RRR_SCREW_MAX_SOLUTIONS][PLANAR_RRR_SCREW_JOINTS];
+    planar_rrr_screw_mark marks[PLANAR_RRR_SCREW_MAX_SOLUTIONS];
+} planar_rrr_screw_solutions;
+
+/* ik_marked with a status, which is returned as well; PLANAR_RRR_SCREW_BAD_REFERENCE if the reference is not finite. */
+planar_rrr_screw_status planar_rrr_screw_solve(const double T[16], const planar_rrr_screw_params *p,
+    const double reference[PLANAR_RRR_SCREW_JOINTS], planar_rrr_screw_solutions *out);
+
+/* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
+ * families above says. */
+unsigned planar_rrr_screw_family(unsigned free);
+
+/* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
+ * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
+ * fit; a length is never wound.
+ * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
+ * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
+ * PLANAR_RRR_SCREW_BAD_LIMIT if limits are no interval. */
+int planar_rrr_screw_within(const double T[16], const planar_rrr_screw_params *p,
+    const double reference[PLANAR_RRR_SCREW_JOINTS], const double lower[PLANAR_RRR_SCREW_JOINTS],
+    const double upper[PLANAR_RRR_SCREW_JOINTS], int capacity, double q[][PLANAR_RRR_SCREW_JOINTS],
+    planar_rrr_screw_mark marks[]);
+
+/* The solution nearest to a reference: least is the sum of weights (NULL: 1) times squared differences, over all
+ * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
+ * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
+ * there is none. PLANAR_RRR_SCREW_BAD_WEIGHT if a weight is negative or not finite. */
+planar_rrr_screw_status planar_rrr_screw_nearest(const double T[16], const planar_rrr_screw_params *p,
+    const double reference[PLANAR_RRR_SCREW_JOINTS], const double weights[PLANAR_RRR_SCREW_JOINTS],
+    const double lower[PLANAR_RRR_SCREW_JOINTS], const double upper[PLANAR_RRR_SCREW_JOINTS],
+    double q[PLANAR_RRR_SCREW_JOINTS]);
 
 #ifdef __cplusplus
 }

@@ -20,6 +20,7 @@
  */
 #include "puma560.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stddef.h>
 
@@ -36,6 +37,14 @@ static double angle_of(double s, double c)
     const double pi = 3.141592653589793;
     const double angle = atan2(s, c);
     return angle <= -pi ? pi : angle;
+}
+
+/* The same angle in (-pi, pi]. */
+static double wrap(double angle)
+{
+    const double pi = 3.141592653589793;
+    const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
+    return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
 void puma560_fk(const double q[PUMA560_JOINTS], const puma560_params *p, double T[16])
@@ -182,39 +191,56 @@ void puma560_jacobian(const double q[PUMA560_JOINTS], const puma560_params *p, d
     J[35] = z6_z;
 }
 
+/* The marks of a root: its unknown is free; two roots meet in it; it lies so near to one of these that its last digits
+ * are lost; it may not exist. */
+#define IS_FREE 1
+#define IS_BORDER 2
+#define IS_SOFT 4
+#define IS_DOUBTFUL 8
+
+/* How far beside a special pose a root is marked, in tolerances: a millionth of the equation's unit. */
+#define NEAR 67108864.0
+
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2])
+static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
         c[0] = cos(reference);
         s[0] = sin(reference);
+        mark[0] = IS_FREE;
         return 1;
     }
     c[0] = b / r;
     s[0] = -a / r;
     c[1] = -c[0];
     s[1] = -s[0];
+    mark[0] = mark[1] = r <= NEAR * t ? IS_SOFT : 0;
     return 2;
 }
 
-/* The angles with a*cos + b*sin = e: two; one on the border, where they meet; one, free, if a, b, e vanish. */
-static int solve_linear(double a, double b, double e, double t, double reference, double c[2], double s[2])
+/* The angles with a*cos + b*sin = e: two; one on the border, where they meet; one, free, if a, b, e vanish. Beyond
+ * the border there is none, but just beyond it, or anywhere if loose, one in doubt. */
+static int solve_linear(double a, double b, double e, double t, double reference, int loose,
+                        double c[2], double s[2], int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     const double g = r - fabs(e);
+    const double doubt = loose ? HUGE_VAL : NEAR * t;
     if (r <= t) {
         c[0] = cos(reference);
         s[0] = sin(reference);
-        return fabs(e) <= t;
+        mark[0] = fabs(e) <= t ? IS_FREE : IS_FREE | IS_DOUBTFUL;
+        return fabs(e) <= fmax(t, doubt);
     }
-    if (!(g >= -t)) {
+    if (!(g >= -doubt)) {
         return 0;
     }
     if (g <= t) {
         const double signed_r = e < 0.0 ? -r : r;
         c[0] = a / signed_r;
         s[0] = b / signed_r;
+        mark[0] = g >= -t ? IS_BORDER : IS_BORDER | IS_DOUBTFUL;
         return 1;
     }
     const double h = sqrt(g * (r + fabs(e)));
@@ -223,19 +249,24 @@ static int solve_linear(double a, double b, double e, double t, double reference
     s[0] = (b * e + a * h) / rr;
     c[1] = (a * e + b * h) / rr;
     s[1] = (b * e - a * h) / rr;
+    mark[0] = mark[1] = g <= NEAR * t ? IS_SOFT : 0;
     return 2;
 }
 
 /* Two links l1, l2 that reach (x, y). The second link has the components k along the first link and w across
- * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. */
-static int solve_triangle(double x, double y, double l1, double l2, double t,
-                          double *k, double w[2], double *along)
+ * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. Out of reach
+ * there is none, but just out of it, or anywhere if loose, one in doubt. */
+static int solve_triangle(double x, double y, double l1, double l2, double t, int loose,
+                          double *k, double w[2], double *along, int mark[2])
 {
-    const double rr = x * x + y * y;
+    const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
     const double from_outer = outer * outer - rr, from_inner = rr - inner * inner;
     const double t_outer = 2.0 * outer * t, t_inner = 2.0 * fabs(inner) * t + t * t;
-    if (!(from_outer >= -t_outer && from_inner >= -t_inner && fabs(l1) > t)) {
+    const double near_outer = 2.0 * outer * near, near_inner = 2.0 * fabs(inner) * near + near * near;
+    const int reached = from_outer >= -t_outer && from_inner >= -t_inner;
+    const int doubtful = loose ? isfinite(rr) : from_outer >= -near_outer && from_inner >= -near_inner;
+    if (!((reached || doubtful) && fabs(l1) > t)) {
         return 0;
     }
     *along = (rr + (l1 - l2) * (l1 + l2)) / (2.0 * l1);
@@ -243,28 +274,32 @@ static int solve_triangle(double x, double y, double l1, double l2, double t,
         const int same_way = (from_outer <= t_outer) == (l1 > 0.0);
         *k = same_way ? fabs(l2) : -fabs(l2);
         w[0] = 0.0;
+        mark[0] = reached ? IS_BORDER : IS_BORDER | IS_DOUBTFUL;
         return 1;
     }
     *k = (rr - l1 * l1 - l2 * l2) / (2.0 * l1);
     w[0] = sqrt(from_outer * from_inner) / (2.0 * fabs(l1));
     w[1] = -w[0];
+    mark[0] = mark[1] = from_outer <= near_outer || from_inner <= near_inner ? IS_SOFT : 0;
     return 2;
 }
 
 /* The angle that turns (along, across) into the direction of (x, y); free if (x, y) vanishes. */
-static void solve_direction(double x, double y, double along, double across, double t, double reference,
-                            double *c, double *s)
+static int solve_direction(double x, double y, double along, double across, double t, double reference,
+                           double *c, double *s)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
+    const double rr = x * x + y * y;
     const double r = sqrt(nc * nc + ns * ns);
-    if (x * x + y * y <= t * t || r == 0.0) {
+    if (rr <= t * t || r == 0.0) {
         *c = cos(reference);
         *s = sin(reference);
-    } else {
-        *c = nc / r;
-        *s = ns / r;
+        return IS_FREE;
     }
+    *c = nc / r;
+    *s = ns / r;
+    return rr <= NEAR * NEAR * t * t ? IS_SOFT : 0;
 }
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
@@ -326,8 +361,188 @@ static int all_finite(const double q[PUMA560_JOINTS])
     return 1;
 }
 
-int puma560_ik_near(const double T[16], const puma560_params *p, const double reference[PUMA560_JOINTS],
-    double q[][PUMA560_JOINTS])
+/* The entries of the pose that the task asks for, by their place in a matrix. */
+#define ENTRIES 12
+static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+
+/* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
+static double distance(const double q[PUMA560_JOINTS], const puma560_params *p, const double M[12],
+    double size, double e[ENTRIES])
+{
+    double T[16], sum = 0.0;
+    puma560_fk(q, p, T);
+    for (int i = 0; i < ENTRIES; ++i) {
+        e[i] = (T[entry_of[i]] - M[entry_of[i]]) / (entry_of[i] % 4 == 3 ? size : 1.0);
+        sum += e[i] * e[i];
+    }
+    return sqrt(sum);
+}
+
+/* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
+ * angular velocity. */
+static void slopes(const double q[PUMA560_JOINTS], const puma560_params *p, double size,
+    double D[ENTRIES][PUMA560_JOINTS])
+{
+    double T[16], J[6 * PUMA560_JOINTS];
+    puma560_fk(q, p, T);
+    puma560_jacobian(q, p, J);
+    for (int i = 0; i < ENTRIES; ++i) {
+        const int row = entry_of[i] / 4, column = entry_of[i] % 4, next = (row + 1) % 3, last = (row + 2) % 3;
+        for (int j = 0; j < PUMA560_JOINTS; ++j) {
+            const double *v = J + j, *w = v + 3 * PUMA560_JOINTS;
+            const double turned = w[next * PUMA560_JOINTS] * T[4 * last + column]
+                - w[last * PUMA560_JOINTS] * T[4 * next + column];
+            D[i][j] = column == 3 ? v[row * PUMA560_JOINTS] / size : turned;
+        }
+    }
+}
+
+/* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
+ * orthogonal to each other (modified Gram and Schmidt, the right side last). */
+static void step(double D[ENTRIES][PUMA560_JOINTS], const double e[ENTRIES], double damping,
+    double g[PUMA560_JOINTS])
+{
+    double A[PUMA560_JOINTS + 1][ENTRIES + PUMA560_JOINTS];
+    double R[PUMA560_JOINTS][PUMA560_JOINTS + 1];
+    for (int i = 0; i <= PUMA560_JOINTS; ++i) {
+        for (int k = 0; k < ENTRIES + PUMA560_JOINTS; ++k) {
+            A[i][k] = k >= ENTRIES ? (k == ENTRIES + i ? damping : 0.0) : i < PUMA560_JOINTS ? D[k][i] : e[k];
+        }
+    }
+    for (int i = 0; i < PUMA560_JOINTS; ++i) {
+        for (int j = i; j <= PUMA560_JOINTS; ++j) {
+            R[i][j] = 0.0;
+            for (int k = 0; k < ENTRIES + PUMA560_JOINTS; ++k) {
+                R[i][j] += A[i][k] * A[j][k];
+            }
+            R[i][j] = j == i ? sqrt(R[i][i]) : R[i][j] / R[i][i];
+            for (int k = 0; k < ENTRIES + PUMA560_JOINTS; ++k) {
+                A[j][k] -= j == i ? 0.0 : R[i][j] / R[i][i] * A[i][k];
+            }
+        }
+    }
+    for (int i = PUMA560_JOINTS - 1; i >= 0; --i) {
+        g[i] = R[i][PUMA560_JOINTS];
+        for (int k = i + 1; k < PUMA560_JOINTS; ++k) {
+            g[i] -= R[i][k] * g[k];
+        }
+        g[i] /= R[i][i];
+    }
+}
+
+/* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
+ * Jacobian loses rank. Returns the distance. */
+static double polish(double q[PUMA560_JOINTS], const puma560_params *p, const double M[12], double size)
+{
+    double e[ENTRIES], D[ENTRIES][PUMA560_JOINTS], g[PUMA560_JOINTS], trial[PUMA560_JOINTS];
+    double left = distance(q, p, M, size, e), caution = 1.0;
+    for (int pass = 0; pass < 40 && left > 1e-15 && caution < 1e9; ++pass) {
+        slopes(q, p, size, D);
+        step(D, e, fmax(left, 1e-14) * caution, g);
+        for (int i = 0; i < PUMA560_JOINTS; ++i) {
+            trial[i] = q[i] - g[i];
+        }
+        const double reached = distance(trial, p, M, size, e);
+        if (reached < left) {
+            for (int i = 0; i < PUMA560_JOINTS; ++i) {
+                q[i] = trial[i];
+            }
+            left = reached;
+            caution *= 0.1;
+        } else {
+            distance(q, p, M, size, e);
+            caution *= 10.0;
+        }
+    }
+    return left;
+}
+
+/* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
+ * Where two borders cross the distance is stationary, and a second start lies beside it. A border
+ * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
+ * q, on branch twin. */
+static int settle(double q[][PUMA560_JOINTS], puma560_mark marks[], double alike[], unsigned twin, int mark,
+    const puma560_params *p, const double M[12], double tau, double size)
+{
+    double e[ENTRIES], start[PUMA560_JOINTS], other[PUMA560_JOINTS];
+    const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
+    double left = distance(q[0], p, M, unit, e);
+    if (!(left > reach)) {
+        return left <= reach;
+    }
+    for (int i = 0; i < PUMA560_JOINTS; ++i) {
+        start[i] = q[0][i];
+    }
+    left = polish(q[0], p, M, unit);
+    for (int trial = 1; trial < 4 && left > reach; ++trial) {
+        const double beside = pow(left, 1.0 / (1.0 + trial));
+        for (int i = 0; i < PUMA560_JOINTS; ++i) {
+            other[i] = start[i] + beside * cos(1.0 + i);
+        }
+        const double reached = polish(other, p, M, unit);
+        for (int i = 0; i < PUMA560_JOINTS && reached < left; ++i) {
+            q[0][i] = other[i];
+        }
+        left = fmin(left, reached);
+    }
+    int found = left <= ((mark & IS_DOUBTFUL) ? fmax(1e-12, reach) : fmax(1e-9, reach));
+    if (found && (mark & IS_BORDER)) {
+        for (int i = 0; i < PUMA560_JOINTS; ++i) {
+            q[1][i] = start[i] - (q[0][i] - start[i]);
+        }
+        found += polish(q[1], p, M, unit) <= reach;
+        marks[1] = marks[0];
+        marks[1].branch = twin;
+        alike[1] = 1e-3;
+    }
+    alike[0] = (mark & IS_DOUBTFUL) ? 1e-3 : 1e-6;
+    for (int k = 0; k < found; ++k) {
+        for (int i = 0; i < PUMA560_JOINTS; ++i) {
+            q[k][i] = wrap(q[k][i]);
+        }
+    }
+    return found;
+}
+
+/* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
+ * alike tells, and puts the rest in the order of their branches; returns how many are left. */
+static int tidied(double q[][PUMA560_JOINTS], puma560_mark marks[], const double alike[], int count)
+{
+    int kept = 0;
+    for (int i = 0; i < count; ++i) {
+        double moved[PUMA560_JOINTS];
+        const puma560_mark mark = marks[i];
+        int copy = 0, place = kept;
+        for (int j = 0; j < count && !copy && alike[i] > 0.0; ++j) {
+            copy = j < kept || (j > i && alike[j] < alike[i]);
+            for (int k = 0; k < PUMA560_JOINTS && copy; ++k) {
+                const double gap = q[i][k] - q[j][k];
+                copy = fabs(wrap(gap)) <= alike[i];
+            }
+        }
+        if (copy) {
+            continue;
+        }
+        for (int k = 0; k < PUMA560_JOINTS; ++k) {
+            moved[k] = q[i][k];
+        }
+        for (; place > 0 && marks[place - 1].branch > mark.branch; --place) {
+            marks[place] = marks[place - 1];
+            for (int k = 0; k < PUMA560_JOINTS; ++k) {
+                q[place][k] = q[place - 1][k];
+            }
+        }
+        marks[place] = mark;
+        for (int k = 0; k < PUMA560_JOINTS; ++k) {
+            q[place][k] = moved[k];
+        }
+        ++kept;
+    }
+    return kept;
+}
+
+int puma560_ik_marked(const double T[16], const puma560_params *p, const double reference[PUMA560_JOINTS],
+    double q[][PUMA560_JOINTS], puma560_mark marks[])
 {
     static const double zeros[PUMA560_JOINTS] = {0.0};
     if (reference == NULL) {
@@ -353,13 +568,17 @@ int puma560_ik_near(const double T[16], const puma560_params *p, const double re
     const double d4 = p->d4;
     const double size = fabs(a2) + fabs(a3) + fabs(d3) + fabs(d4);
     const double tau = 1.4210854715202004e-14 + defect;
+    double alike[PUMA560_MAX_SOLUTIONS];
+    int special = 0;
     int count = 0;
 
     /* (1) theta1: one linear equation a c + b s = e: s1*p_x - c1*p_y = d3 */
     double c1_roots[2], s1_roots[2];
-    const int n1 = solve_linear(-p_y, p_x, d3, tau * size, reference[0], c1_roots, s1_roots);
+    int mark1_roots[2];
+    const int n1 = solve_linear(-p_y, p_x, d3, tau * size, reference[0], 0, c1_roots, s1_roots, mark1_roots);
     for (int i1 = 0; i1 < n1; ++i1) {
         const double c1 = c1_roots[i1], s1 = s1_roots[i1];
+        const int mark1 = mark1_roots[i1];
         const double theta1 = angle_of(s1, c1);
 
         /* T_1_6: what is known moved to the left side */
@@ -373,9 +592,12 @@ int puma560_ik_near(const double T[16], const puma560_params *p, const double re
          * p_z = a2*s2 + d4*c23 + a3*s23 */
         const double lambda1 = sqrt(a3 * a3 + d4 * d4);
         double k_3, w_3_roots[2], h_3;
-        const int n2 = solve_triangle(p16_x, p_z, a2, lambda1, tau * size, &k_3, w_3_roots, &h_3);
+        int mark2_roots[2];
+        const int n2 = solve_triangle(p16_x, p_z, a2, lambda1, tau * size, mark1, &k_3, w_3_roots, &h_3,
+            mark2_roots);
         for (int i2 = 0; i2 < n2; ++i2) {
             const double w_3 = w_3_roots[i2];
+            const int mark2 = mark2_roots[i2];
             const double c3 = (k_3 * a3 + w_3 * d4) / (lambda1 * lambda1);
             const double s3 = (w_3 * a3 - k_3 * d4) / (lambda1 * lambda1);
             const double theta3 = angle_of(s3, c3);
@@ -383,7 +605,7 @@ int puma560_ik_near(const double T[16], const puma560_params *p, const double re
             /* (3) theta2: direction of the first link: p16_x = a2*c2 + a3*c23 - d4*s23;
              * p_z = a2*s2 + d4*c23 + a3*s23 */
             double c2, s2;
-            solve_direction(p16_x, p_z, h_3, w_3, tau * size, reference[1], &c2, &s2);
+            const int mark3 = solve_direction(p16_x, p_z, h_3, w_3, tau * size, reference[1], &c2, &s2);
             const double theta2 = angle_of(s2, c2);
             const double c23 = c2 * c3 - s2 * s3;
             const double s23 = s2 * c3 + c2 * s3;
@@ -396,9 +618,12 @@ int puma560_ik_near(const double T[16], const puma560_params *p, const double re
 
             /* (4) theta4: homogeneous equation a c + b s = 0: c4*w16_z + s4*w36_x = 0 */
             double c4_roots[2], s4_roots[2];
-            const int n3 = solve_homogeneous(w16_z, w36_x, tau, reference[3], c4_roots, s4_roots);
+            int mark4_roots[2];
+            const int n3 = solve_homogeneous(w16_z, w36_x, tau, reference[3], c4_roots, s4_roots,
+                mark4_roots);
             for (int i3 = 0; i3 < n3; ++i3) {
                 const double c4 = c4_roots[i3], s4 = s4_roots[i3];
+                const int mark4 = mark4_roots[i3];
                 const double theta4 = angle_of(s4, c4);
 
                 /* T_4_6: what is known moved to the left side */
@@ -425,14 +650,213 @@ int puma560_ik_near(const double T[16], const puma560_params *p, const double re
                 q[count][3] = theta4;
                 q[count][4] = theta5;
                 q[count][5] = theta6;
-                count += all_finite(q[count]);
+                const unsigned branch = (unsigned)(4 * i1 + 2 * i2 + i3);
+                marks[count].branch = branch;
+                const int mark = mark1 | mark2 | mark3 | mark4;
+                alike[count] = (mark & IS_DOUBTFUL) ? 1e-3 : 0.0;
+                special |= mark;
+                marks[count].free = (mark1 & IS_FREE ? 1u : 0u) | (mark3 & IS_FREE ? 2u : 0u)
+                    | (mark4 & IS_FREE ? 8u : 0u);
+                marks[count].border = (mark1 & IS_BORDER ? 1u : 0u) | (mark2 & IS_BORDER ? 4u : 0u);
+                count += mark ? settle(q + count, marks + count, alike + count, branch
+                    + (mark1 & IS_BORDER ? 4u : mark2 & IS_BORDER ? 2u : 0u), mark, p, M, tau, size)
+                    : all_finite(q[count]);
             }
         }
     }
-    return count;
+    return special ? tidied(q, marks, alike, count) : count;
+}
+
+int puma560_ik_near(const double T[16], const puma560_params *p, const double reference[PUMA560_JOINTS],
+    double q[][PUMA560_JOINTS])
+{
+    puma560_mark marks[PUMA560_MAX_SOLUTIONS];
+    return puma560_ik_marked(T, p, reference, q, marks);
 }
 
 int puma560_ik(const double T[16], const puma560_params *p, double q[][PUMA560_JOINTS])
 {
     return puma560_ik_near(T, p, NULL, q);
+}
+
+const char *const puma560_branches[PUMA560_MAX_SOLUTIONS] = {
+    "shoulder left, elbow up, wrist flipped",
+    "shoulder left, elbow up, wrist not flipped",
+    "shoulder left, elbow down, wrist flipped",
+    "shoulder left, elbow down, wrist not flipped",
+    "shoulder right, elbow down, wrist flipped",
+    "shoulder right, elbow down, wrist not flipped",
+    "shoulder right, elbow up, wrist flipped",
+    "shoulder right, elbow up, wrist not flipped",
+};
+
+const double puma560_lower[PUMA560_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+    -HUGE_VAL};
+const double puma560_upper[PUMA560_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
+
+/* A letter for each joint: R is wound by whole turns, P slides. */
+static const char kinds[] = "RRRRRR";
+
+/* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
+#define TURN 6.283185307179586
+#define SLACK 1e-12
+
+/* Whether these are numbers; NULL counts as such. */
+static int are_numbers(const double x[PUMA560_JOINTS])
+{
+    for (int i = 0; x != NULL && i < PUMA560_JOINTS; ++i) {
+        if (!isfinite(x[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* Whether the limits of every joint are an interval. Written so that NaN fails. */
+static int all_intervals(const double lower[PUMA560_JOINTS], const double upper[PUMA560_JOINTS])
+{
+    for (int i = 0; i < PUMA560_JOINTS; ++i) {
+        if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
+static void turns_of(int i, double x, double low, double high, double *first, double *last)
+{
+    const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
+    *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
+    *last = kinds[i] == 'R' ? floor(end / TURN) : 0.0;
+}
+
+/* The value of joint i after whole turns, inside the limits that it is within the slack of. */
+static double moved(int i, double x, double turns, double low, double high)
+{
+    return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
+}
+
+/* What a solution with this mark comes to. */
+static puma560_status status_of(puma560_mark special)
+{
+    return special.free | special.border ? PUMA560_SINGULAR : PUMA560_SOLVED;
+}
+
+puma560_status puma560_solve(const double T[16], const puma560_params *p,
+    const double reference[PUMA560_JOINTS], puma560_solutions *out)
+{
+    out->count = 0;
+    out->status = PUMA560_BAD_REFERENCE;
+    if (!are_numbers(reference)) {
+        return out->status;
+    }
+    const int count = puma560_ik_marked(T, p, reference, out->q, out->marks);
+    if (count <= 0) {
+        out->status = count == PUMA560_NOT_A_POSE ? PUMA560_NOT_A_POSE
+            : count == PUMA560_BAD_PARAMETER ? PUMA560_BAD_PARAMETER : PUMA560_UNREACHABLE;
+        return out->status;
+    }
+    out->count = count;
+    out->status = PUMA560_SOLVED;
+    for (int k = 0; k < count; ++k) {
+        if (status_of(out->marks[k]) == PUMA560_SINGULAR) {
+            out->status = PUMA560_SINGULAR;
+        }
+    }
+    return out->status;
+}
+
+unsigned puma560_family(unsigned free)
+{
+    unsigned moving = free;
+    moving |= (free & 8u) == 8u ? 40u : 0u;
+    return moving;
+}
+
+int puma560_within(const double T[16], const puma560_params *p, const double reference[PUMA560_JOINTS],
+    const double lower[PUMA560_JOINTS], const double upper[PUMA560_JOINTS], int capacity,
+    double q[][PUMA560_JOINTS], puma560_mark marks[])
+{
+    const double *low = lower == NULL ? puma560_lower : lower;
+    const double *high = upper == NULL ? puma560_upper : upper;
+    puma560_solutions found;
+    double total = 0.0;
+    int used = 0;
+    if (!all_intervals(low, high)) {
+        return PUMA560_BAD_LIMIT;
+    }
+    if (puma560_solve(T, p, reference, &found) <= 0) {
+        return found.status;
+    }
+    for (int k = 0; k < found.count; ++k) {
+        double first[PUMA560_JOINTS], last[PUMA560_JOINTS], turns[PUMA560_JOINTS], number = 1.0;
+        for (int i = 0; i < PUMA560_JOINTS; ++i) {
+            turns_of(i, found.q[k][i], low[i], high[i], &first[i], &last[i]);
+            if (kinds[i] == 'R' && !(isfinite(low[i]) && isfinite(high[i]))) {
+                first[i] = fmax(first[i], 0.0);
+                last[i] = fmin(last[i], 0.0);
+            }
+            turns[i] = first[i];
+            number *= fmax(last[i] - first[i] + 1.0, 0.0);
+        }
+        total += number;
+        for (double done = 0.0; done < number && used < capacity; done += 1.0) {
+            for (int i = 0; i < PUMA560_JOINTS; ++i) {
+                q[used][i] = moved(i, found.q[k][i], turns[i], low[i], high[i]);
+            }
+            marks[used] = found.marks[k];
+            ++used;
+            for (int i = PUMA560_JOINTS - 1; i >= 0; --i) {
+                if (turns[i] < last[i]) {
+                    turns[i] += 1.0;
+                    break;
+                }
+                turns[i] = first[i];
+            }
+        }
+    }
+    return total < INT_MAX ? (int)total : INT_MAX;
+}
+
+puma560_status puma560_nearest(const double T[16], const puma560_params *p,
+    const double reference[PUMA560_JOINTS], const double weights[PUMA560_JOINTS],
+    const double lower[PUMA560_JOINTS], const double upper[PUMA560_JOINTS], double q[PUMA560_JOINTS])
+{
+    const double *low = lower == NULL ? puma560_lower : lower;
+    const double *high = upper == NULL ? puma560_upper : upper;
+    puma560_solutions found;
+    puma560_status status = PUMA560_UNREACHABLE;
+    double least = HUGE_VAL;
+    if (!all_intervals(low, high)) {
+        return PUMA560_BAD_LIMIT;
+    }
+    for (int i = 0; weights != NULL && i < PUMA560_JOINTS; ++i) {
+        if (!(weights[i] >= 0.0 && weights[i] < HUGE_VAL)) {
+            return PUMA560_BAD_WEIGHT;
+        }
+    }
+    if (puma560_solve(T, p, reference, &found) <= 0) {
+        return found.status;
+    }
+    for (int k = 0; k < found.count; ++k) {
+        double trial[PUMA560_JOINTS], cost = 0.0;
+        int fits = 1;
+        for (int i = 0; i < PUMA560_JOINTS; ++i) {
+            const double x = found.q[k][i], wanted = reference == NULL ? 0.0 : reference[i];
+            double first, last;
+            turns_of(i, x, low[i], high[i], &first, &last);
+            fits = fits && first <= last;
+            trial[i] = moved(i, x, fmin(fmax(ceil((wanted - x) / TURN - 0.5), first), last), low[i], high[i]);
+            cost += (weights == NULL ? 1.0 : weights[i]) * ((trial[i] - wanted) * (trial[i] - wanted));
+        }
+        if (fits && (status == PUMA560_UNREACHABLE || cost < least * (1.0 - 1e-9))) {
+            status = status_of(found.marks[k]);
+            least = cost;
+            for (int i = 0; i < PUMA560_JOINTS; ++i) {
+                q[i] = trial[i];
+            }
+        }
+    }
+    return status;
 }

@@ -40,9 +40,17 @@ extern "C" {
 #define PUMA560_JOINTS 6
 #define PUMA560_MAX_SOLUTIONS 8
 
-/* What puma560_ik returns instead of a number of solutions. */
-#define PUMA560_NOT_A_POSE (-1)
-#define PUMA560_BAD_PARAMETER (-2)
+/* What a call came to. Functions that return a number of solutions return a negative value instead of one. */
+typedef enum puma560_status {
+    PUMA560_UNREACHABLE = 0, /* no solution */
+    PUMA560_SOLVED = 1,
+    PUMA560_SINGULAR = 2, /* solved, with a joint that is free or on a border */
+    PUMA560_NOT_A_POSE = -1,
+    PUMA560_BAD_PARAMETER = -2,
+    PUMA560_BAD_REFERENCE = -3,
+    PUMA560_BAD_LIMIT = -4,
+    PUMA560_BAD_WEIGHT = -5
+} puma560_status;
 
 /* The parameters of the table. */
 typedef struct puma560_params {
@@ -61,6 +69,18 @@ void puma560_fk(const double q[PUMA560_JOINTS], const puma560_params *p, double 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
 void puma560_jacobian(const double q[PUMA560_JOINTS], const puma560_params *p, double J[6 * PUMA560_JOINTS]);
 
+/*
+ * Singular poses:
+ *   s5 = 0: wrist singularity: axes 4 and 6 coincide.
+ *   d4*c3 + a3*s3 = 0: elbow singularity: axes 2 and 3 and the wrist centre lie in one plane: the arm is
+ *     stretched or folded.
+ *   a2*c2 + a3*c23 - d4*s23 = 0: shoulder singularity: the wrist centre lies in the plane of axes 1 and 2.
+ * Families of solutions; a free joint takes its value in the reference:
+ *   theta5 = 0: theta4 is free; theta4 + theta6, theta1, theta2 and theta3 stay constant; theta6 follows.
+ *   theta5 = pi: theta4 is free; theta4 - theta6, theta1, theta2 and theta3 stay constant; theta6 follows.
+ *   p16_x^2 + p_z^2 = 0: theta2 is free if two links have the same length and lie folded on each other.
+ */
+
 /* Inverse kinematics: every solution of the pose T, angles in (-pi, pi], a fixed order of branches.
  *
  * Returns the number of solutions, at most PUMA560_MAX_SOLUTIONS (q needs room for so many; rows beyond the
@@ -75,6 +95,73 @@ int puma560_ik(const double T[16], const puma560_params *p, double q[][PUMA560_J
  * reference that is NULL is all zeros. */
 int puma560_ik_near(const double T[16], const puma560_params *p, const double reference[PUMA560_JOINTS],
     double q[][PUMA560_JOINTS]);
+
+/* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
+ * PUMA560_MAX_SOLUTIONS - 1,
+ * whatever branches have no solution. free and border: bit i stands for joint i; free joints take the value of the
+ * reference (several: their sum does), of border joints two solutions meet in this one. */
+typedef struct puma560_mark {
+    unsigned branch, free, border;
+} puma560_mark;
+
+/* The same; marks[i] belongs to q[i]. */
+int puma560_ik_marked(const double T[16], const puma560_params *p, const double reference[PUMA560_JOINTS],
+    double q[][PUMA560_JOINTS], puma560_mark marks[]);
+
+/* The names of the branches by their number:
+ *  0: shoulder left, elbow up, wrist flipped
+ *  1: shoulder left, elbow up, wrist not flipped
+ *  2: shoulder left, elbow down, wrist flipped
+ *  3: shoulder left, elbow down, wrist not flipped
+ *  4: shoulder right, elbow down, wrist flipped
+ *  5: shoulder right, elbow down, wrist not flipped
+ *  6: shoulder right, elbow up, wrist flipped
+ *  7: shoulder right, elbow up, wrist not flipped
+ *  shoulder right: seen from axis 1 towards the point where axes 5 and 6 meet, axis 1 upward, axis 2 points
+ *    to the right.
+ *  elbow up: seen with axis 1 upward and the side of axis 1 that the arm reaches to on the right, axis 3
+ *    lies to the left of the way from axis 2 to the point where axes 5 and 6 meet, which is above it
+ *    wherever it leads to the right.
+ *  wrist not flipped: about axis 5, axis 6 is less than half a turn ahead of axis 4.
+ */
+extern const char *const puma560_branches[PUMA560_MAX_SOLUTIONS];
+
+/* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
+extern const double puma560_lower[PUMA560_JOINTS], puma560_upper[PUMA560_JOINTS];
+
+/* The solutions of one pose in the order of branches, and what the call came to. */
+typedef struct puma560_solutions {
+    puma560_status status;
+    int count; /* 0 unless the status is PUMA560_SOLVED or PUMA560_SINGULAR */
+    double q[PUMA560_MAX_SOLUTIONS][PUMA560_JOINTS];
+    puma560_mark marks[PUMA560_MAX_SOLUTIONS];
+} puma560_solutions;
+
+/* ik_marked with a status, which is returned as well; PUMA560_BAD_REFERENCE if the reference is not finite. */
+puma560_status puma560_solve(const double T[16], const puma560_params *p,
+    const double reference[PUMA560_JOINTS], puma560_solutions *out);
+
+/* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
+ * families above says. */
+unsigned puma560_family(unsigned free);
+
+/* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
+ * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
+ * fit; a length is never wound.
+ * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
+ * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
+ * PUMA560_BAD_LIMIT if limits are no interval. */
+int puma560_within(const double T[16], const puma560_params *p, const double reference[PUMA560_JOINTS],
+    const double lower[PUMA560_JOINTS], const double upper[PUMA560_JOINTS], int capacity,
+    double q[][PUMA560_JOINTS], puma560_mark marks[]);
+
+/* The solution nearest to a reference: least is the sum of weights (NULL: 1) times squared differences, over all
+ * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
+ * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
+ * there is none. PUMA560_BAD_WEIGHT if a weight is negative or not finite. */
+puma560_status puma560_nearest(const double T[16], const puma560_params *p,
+    const double reference[PUMA560_JOINTS], const double weights[PUMA560_JOINTS],
+    const double lower[PUMA560_JOINTS], const double upper[PUMA560_JOINTS], double q[PUMA560_JOINTS]);
 
 #ifdef __cplusplus
 }

@@ -39,9 +39,17 @@ extern "C" {
 #define SCARA_JOINTS 4
 #define SCARA_MAX_SOLUTIONS 2
 
-/* What scara_ik returns instead of a number of solutions. */
-#define SCARA_NOT_A_POSE (-1)
-#define SCARA_BAD_PARAMETER (-2)
+/* What a call came to. Functions that return a number of solutions return a negative value instead of one. */
+typedef enum scara_status {
+    SCARA_UNREACHABLE = 0, /* no solution */
+    SCARA_SOLVED = 1,
+    SCARA_SINGULAR = 2, /* solved, with a joint that is free or on a border */
+    SCARA_NOT_A_POSE = -1,
+    SCARA_BAD_PARAMETER = -2,
+    SCARA_BAD_REFERENCE = -3,
+    SCARA_BAD_LIMIT = -4,
+    SCARA_BAD_WEIGHT = -5
+} scara_status;
 
 /* The parameters of the table. */
 typedef struct scara_params {
@@ -58,6 +66,13 @@ void scara_fk(const double q[SCARA_JOINTS], const scara_params *p, double T[16])
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
 void scara_jacobian(const double q[SCARA_JOINTS], const scara_params *p, double J[6 * SCARA_JOINTS]);
 
+/*
+ * Singular poses:
+ *   s2 = 0: elbow singularity: axes 1, 2 and 4 lie in one plane: the arm is stretched or folded.
+ * Families of solutions; a free joint takes its value in the reference:
+ *   p04_x^2 + p04_y^2 = 0: theta1 is free if two links have the same length and lie folded on each other.
+ */
+
 /* Inverse kinematics: every solution of the pose T, angles in (-pi, pi], a fixed order of branches.
  *
  * Returns the number of solutions, at most SCARA_MAX_SOLUTIONS (q needs room for so many; rows beyond the
@@ -72,6 +87,62 @@ int scara_ik(const double T[16], const scara_params *p, double q[][SCARA_JOINTS]
  * reference that is NULL is all zeros. */
 int scara_ik_near(const double T[16], const scara_params *p, const double reference[SCARA_JOINTS],
     double q[][SCARA_JOINTS]);
+
+/* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
+ * SCARA_MAX_SOLUTIONS - 1,
+ * whatever branches have no solution. free and border: bit i stands for joint i; free joints take the value of the
+ * reference (several: their sum does), of border joints two solutions meet in this one. */
+typedef struct scara_mark {
+    unsigned branch, free, border;
+} scara_mark;
+
+/* The same; marks[i] belongs to q[i]. */
+int scara_ik_marked(const double T[16], const scara_params *p, const double reference[SCARA_JOINTS],
+    double q[][SCARA_JOINTS], scara_mark marks[]);
+
+/* The names of the branches by their number:
+ *  0: elbow right
+ *  1: elbow left
+ *  elbow left: seen against axis 2, it lies to the left of the way from axis 1 to the end point.
+ */
+extern const char *const scara_branches[SCARA_MAX_SOLUTIONS];
+
+/* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
+extern const double scara_lower[SCARA_JOINTS], scara_upper[SCARA_JOINTS];
+
+/* The solutions of one pose in the order of branches, and what the call came to. */
+typedef struct scara_solutions {
+    scara_status status;
+    int count; /* 0 unless the status is SCARA_SOLVED or SCARA_SINGULAR */
+    double q[SCARA_MAX_SOLUTIONS][SCARA_JOINTS];
+    scara_mark marks[SCARA_MAX_SOLUTIONS];
+} scara_solutions;
+
+/* ik_marked with a status, which is returned as well; SCARA_BAD_REFERENCE if the reference is not finite. */
+scara_status scara_solve(const double T[16], const scara_params *p, const double reference[SCARA_JOINTS],
+    scara_solutions *out);
+
+/* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
+ * families above says. */
+unsigned scara_family(unsigned free);
+
+/* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
+ * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
+ * fit; a length is never wound.
+ * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
+ * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
+ * SCARA_BAD_LIMIT if limits are no interval. */
+int scara_within(const double T[16], const scara_params *p, const double reference[SCARA_JOINTS],
+    const double lower[SCARA_JOINTS], const double upper[SCARA_JOINTS], int capacity,
+    double q[][SCARA_JOINTS], scara_mark marks[]);
+
+/* The solution nearest to a reference: least is the sum of weights (NULL: 1) times squared differences, over all
+ * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
+ * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
+ * there is none. SCARA_BAD_WEIGHT if a weight is negative or not finite. */
+scara_status scara_nearest(const double T[16], const scara_params *p, const double reference[SCARA_JOINTS],
+    const double weights[SCARA_JOINTS], const double lower[SCARA_JOINTS], const double upper[SCARA_JOINTS],
+    double q[SCARA_JOINTS]);
 
 #ifdef __cplusplus
 }

@@ -40,9 +40,17 @@ extern "C" {
 #define SCORBOT_5R_JOINTS 5
 #define SCORBOT_5R_MAX_SOLUTIONS 4
 
-/* What scorbot_5r_ik returns instead of a number of solutions. */
-#define SCORBOT_5R_NOT_A_POSE (-1)
-#define SCORBOT_5R_BAD_PARAMETER (-2)
+/* What a call came to. Functions that return a number of solutions return a negative value instead of one. */
+typedef enum scorbot_5r_status {
+    SCORBOT_5R_UNREACHABLE = 0, /* no solution */
+    SCORBOT_5R_SOLVED = 1,
+    SCORBOT_5R_SINGULAR = 2, /* solved, with a joint that is free or on a border */
+    SCORBOT_5R_NOT_A_POSE = -1,
+    SCORBOT_5R_BAD_PARAMETER = -2,
+    SCORBOT_5R_BAD_REFERENCE = -3,
+    SCORBOT_5R_BAD_LIMIT = -4,
+    SCORBOT_5R_BAD_WEIGHT = -5
+} scorbot_5r_status;
 
 /* The parameters of the table. */
 typedef struct scorbot_5r_params {
@@ -61,6 +69,19 @@ void scorbot_5r_fk(const double q[SCORBOT_5R_JOINTS], const scorbot_5r_params *p
 void scorbot_5r_jacobian(const double q[SCORBOT_5R_JOINTS], const scorbot_5r_params *p,
     double J[6 * SCORBOT_5R_JOINTS]);
 
+/*
+ * Singular poses:
+ *   s3 = 0: elbow singularity: axes 2, 3 and 4 lie in one plane: the arm is stretched or folded.
+ *   s234 = 0 and a2*c2 + a3*c23 + a1 = 0: shoulder singularity: the point where axes 4 and 5 meet lies on
+ *     axis 1.
+ * Families of solutions; a free joint takes its value in the reference:
+ *   theta234 = 0, a2*c2 + a3*c23 + a1 = 0: theta1 is free; theta1 - theta5, theta2, theta3 and theta4 stay
+ *     constant; theta5 follows.
+ *   theta234 = pi, a2*c2 + a3*c23 + a1 = 0: theta1 is free; theta1 + theta5, theta2, theta3 and theta4 stay
+ *     constant; theta5 follows.
+ *   p15_x^2 + p15_y^2 = 0: theta2 is free if two links have the same length and lie folded on each other.
+ */
+
 /* Inverse kinematics: every solution of the pose T, angles in (-pi, pi], a fixed order of branches.
  *
  * Returns the number of solutions, at most SCORBOT_5R_MAX_SOLUTIONS (q needs room for so many; rows beyond the
@@ -75,6 +96,67 @@ int scorbot_5r_ik(const double T[16], const scorbot_5r_params *p, double q[][SCO
  * reference that is NULL is all zeros. */
 int scorbot_5r_ik_near(const double T[16], const scorbot_5r_params *p,
     const double reference[SCORBOT_5R_JOINTS], double q[][SCORBOT_5R_JOINTS]);
+
+/* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
+ * SCORBOT_5R_MAX_SOLUTIONS - 1,
+ * whatever branches have no solution. free and border: bit i stands for joint i; free joints take the value of the
+ * reference (several: their sum does), of border joints two solutions meet in this one. */
+typedef struct scorbot_5r_mark {
+    unsigned branch, free, border;
+} scorbot_5r_mark;
+
+/* The same; marks[i] belongs to q[i]. */
+int scorbot_5r_ik_marked(const double T[16], const scorbot_5r_params *p,
+    const double reference[SCORBOT_5R_JOINTS], double q[][SCORBOT_5R_JOINTS], scorbot_5r_mark marks[]);
+
+/* The names of the branches by their number:
+ *  0: theta1 +, elbow right
+ *  1: theta1 +, elbow left
+ *  2: theta1 -, elbow right
+ *  3: theta1 -, elbow left
+ *  theta1 + and -: the upper sign or the first value of its formula, and the other.
+ *  elbow left: seen against axis 3, it lies to the left of the way from axis 2 to axis 4.
+ */
+extern const char *const scorbot_5r_branches[SCORBOT_5R_MAX_SOLUTIONS];
+
+/* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
+extern const double scorbot_5r_lower[SCORBOT_5R_JOINTS], scorbot_5r_upper[SCORBOT_5R_JOINTS];
+
+/* The solutions of one pose in the order of branches, and what the call came to. */
+typedef struct scorbot_5r_solutions {
+    scorbot_5r_status status;
+    int count; /* 0 unless the status is SCORBOT_5R_SOLVED or SCORBOT_5R_SINGULAR */
+    double q[SCORBOT_5R_MAX_SOLUTIONS][SCORBOT_5R_JOINTS];
+    scorbot_5r_mark marks[SCORBOT_5R_MAX_SOLUTIONS];
+} scorbot_5r_solutions;
+
+/* ik_marked with a status, which is returned as well; SCORBOT_5R_BAD_REFERENCE if the reference is not finite. */
+scorbot_5r_status scorbot_5r_solve(const double T[16], const scorbot_5r_params *p,
+    const double reference[SCORBOT_5R_JOINTS], scorbot_5r_solutions *out);
+
+/* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
+ * families above says. */
+unsigned scorbot_5r_family(unsigned free);
+
+/* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
+ * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
+ * fit; a length is never wound.
+ * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
+ * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
+ * SCORBOT_5R_BAD_LIMIT if limits are no interval. */
+int scorbot_5r_within(const double T[16], const scorbot_5r_params *p,
+    const double reference[SCORBOT_5R_JOINTS], const double lower[SCORBOT_5R_JOINTS],
+    const double upper[SCORBOT_5R_JOINTS], int capacity, double q[][SCORBOT_5R_JOINTS],
+    scorbot_5r_mark marks[]);
+
+/* The solution nearest to a reference: least is the sum of weights (NULL: 1) times squared differences, over all
+ * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
+ * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
+ * there is none. SCORBOT_5R_BAD_WEIGHT if a weight is negative or not finite. */
+scorbot_5r_status scorbot_5r_nearest(const double T[16], const scorbot_5r_params *p,
+    const double reference[SCORBOT_5R_JOINTS], const double weights[SCORBOT_5R_JOINTS],
+    const double lower[SCORBOT_5R_JOINTS], const double upper[SCORBOT_5R_JOINTS],
+    double q[SCORBOT_5R_JOINTS]);
 
 #ifdef __cplusplus
 }

@@ -17,6 +17,7 @@
  */
 #include "spherical_wrist.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stddef.h>
 
@@ -26,6 +27,14 @@ static double angle_of(double s, double c)
     const double pi = 3.141592653589793;
     const double angle = atan2(s, c);
     return angle <= -pi ? pi : angle;
+}
+
+/* The same angle in (-pi, pi]. */
+static double wrap(double angle)
+{
+    const double pi = 3.141592653589793;
+    const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
+    return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
 void spherical_wrist_fk(const double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist_params *p, double T[16])
@@ -113,19 +122,31 @@ void spherical_wrist_jacobian(const double q[SPHERICAL_WRIST_JOINTS], const sphe
     J[17] = c5;
 }
 
+/* The marks of a root: its unknown is free; two roots meet in it; it lies so near to one of these that its last digits
+ * are lost; it may not exist. */
+#define IS_FREE 1
+#define IS_BORDER 2
+#define IS_SOFT 4
+#define IS_DOUBTFUL 8
+
+/* How far beside a special pose a root is marked, in tolerances: a millionth of the equation's unit. */
+#define NEAR 67108864.0
+
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2])
+static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
         c[0] = cos(reference);
         s[0] = sin(reference);
+        mark[0] = IS_FREE;
         return 1;
     }
     c[0] = b / r;
     s[0] = -a / r;
     c[1] = -c[0];
     s[1] = -s[0];
+    mark[0] = mark[1] = r <= NEAR * t ? IS_SOFT : 0;
     return 2;
 }
 
@@ -188,8 +209,141 @@ static int all_finite(const double q[SPHERICAL_WRIST_JOINTS])
     return 1;
 }
 
-int spherical_wrist_ik_near(const double T[16], const spherical_wrist_params *p,
-    const double reference[SPHERICAL_WRIST_JOINTS], double q[][SPHERICAL_WRIST_JOINTS])
+/* The entries of the pose that the task asks for, by their place in a matrix. */
+#define ENTRIES 9
+static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10};
+
+/* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
+static double distance(const double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist_params *p,
+    const double M[12], double size, double e[ENTRIES])
+{
+    double T[16], sum = 0.0;
+    spherical_wrist_fk(q, p, T);
+    for (int i = 0; i < ENTRIES; ++i) {
+        e[i] = (T[entry_of[i]] - M[entry_of[i]]) / (entry_of[i] % 4 == 3 ? size : 1.0);
+        sum += e[i] * e[i];
+    }
+    return sqrt(sum);
+}
+
+/* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
+ * angular velocity. */
+static void slopes(const double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist_params *p, double size,
+    double D[ENTRIES][SPHERICAL_WRIST_JOINTS])
+{
+    double T[16], J[6 * SPHERICAL_WRIST_JOINTS];
+    spherical_wrist_fk(q, p, T);
+    spherical_wrist_jacobian(q, p, J);
+    for (int i = 0; i < ENTRIES; ++i) {
+        const int row = entry_of[i] / 4, column = entry_of[i] % 4, next = (row + 1) % 3, last = (row + 2) % 3;
+        for (int j = 0; j < SPHERICAL_WRIST_JOINTS; ++j) {
+            const double *v = J + j, *w = v + 3 * SPHERICAL_WRIST_JOINTS;
+            const double turned = w[next * SPHERICAL_WRIST_JOINTS] * T[4 * last + column]
+                - w[last * SPHERICAL_WRIST_JOINTS] * T[4 * next + column];
+            D[i][j] = column == 3 ? v[row * SPHERICAL_WRIST_JOINTS] / size : turned;
+        }
+    }
+}
+
+/* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
+ * orthogonal to each other (modified Gram and Schmidt, the right side last). */
+static void step(double D[ENTRIES][SPHERICAL_WRIST_JOINTS], const double e[ENTRIES], double damping,
+    double g[SPHERICAL_WRIST_JOINTS])
+{
+    double A[SPHERICAL_WRIST_JOINTS + 1][ENTRIES + SPHERICAL_WRIST_JOINTS];
+    double R[SPHERICAL_WRIST_JOINTS][SPHERICAL_WRIST_JOINTS + 1];
+    for (int i = 0; i <= SPHERICAL_WRIST_JOINTS; ++i) {
+        for (int k = 0; k < ENTRIES + SPHERICAL_WRIST_JOINTS; ++k) {
+            A[i][k] = k >= ENTRIES ? (k == ENTRIES + i ? damping : 0.0) : i < SPHERICAL_WRIST_JOINTS ? D[k][i] : e[k];
+        }
+    }
+    for (int i = 0; i < SPHERICAL_WRIST_JOINTS; ++i) {
+        for (int j = i; j <= SPHERICAL_WRIST_JOINTS; ++j) {
+            R[i][j] = 0.0;
+            for (int k = 0; k < ENTRIES + SPHERICAL_WRIST_JOINTS; ++k) {
+                R[i][j] += A[i][k] * A[j][k];
+            }
+            R[i][j] = j == i ? sqrt(R[i][i]) : R[i][j] / R[i][i];
+            for (int k = 0; k < ENTRIES + SPHERICAL_WRIST_JOINTS; ++k) {
+                A[j][k] -= j == i ? 0.0 : R[i][j] / R[i][i] * A[i][k];
+            }
+        }
+    }
+    for (int i = SPHERICAL_WRIST_JOINTS - 1; i >= 0; --i) {
+        g[i] = R[i][SPHERICAL_WRIST_JOINTS];
+        for (int k = i + 1; k < SPHERICAL_WRIST_JOINTS; ++k) {
+            g[i] -= R[i][k] * g[k];
+        }
+        g[i] /= R[i][i];
+    }
+}
+
+/* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
+ * Jacobian loses rank. Returns the distance. */
+static double polish(double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist_params *p, const double M[12],
+    double size)
+{
+    double e[ENTRIES], D[ENTRIES][SPHERICAL_WRIST_JOINTS], g[SPHERICAL_WRIST_JOINTS], trial[SPHERICAL_WRIST_JOINTS];
+    double left = distance(q, p, M, size, e), caution = 1.0;
+    for (int pass = 0; pass < 40 && left > 1e-15 && caution < 1e9; ++pass) {
+        slopes(q, p, size, D);
+        step(D, e, fmax(left, 1e-14) * caution, g);
+        for (int i = 0; i < SPHERICAL_WRIST_JOINTS; ++i) {
+            trial[i] = q[i] - g[i];
+        }
+        const double reached = distance(trial, p, M, size, e);
+        if (reached < left) {
+            for (int i = 0; i < SPHERICAL_WRIST_JOINTS; ++i) {
+                q[i] = trial[i];
+            }
+            left = reached;
+            caution *= 0.1;
+        } else {
+            distance(q, p, M, size, e);
+            caution *= 10.0;
+        }
+    }
+    return left;
+}
+
+/* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
+ * Where two borders cross the distance is stationary, and a second start lies beside it. */
+static int settle(double q[][SPHERICAL_WRIST_JOINTS], int mark, const spherical_wrist_params *p,
+    const double M[12], double tau, double size)
+{
+    double e[ENTRIES], start[SPHERICAL_WRIST_JOINTS], other[SPHERICAL_WRIST_JOINTS];
+    const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
+    double left = distance(q[0], p, M, unit, e);
+    if (!(left > reach)) {
+        return left <= reach;
+    }
+    for (int i = 0; i < SPHERICAL_WRIST_JOINTS; ++i) {
+        start[i] = q[0][i];
+    }
+    left = polish(q[0], p, M, unit);
+    for (int trial = 1; trial < 4 && left > reach; ++trial) {
+        const double beside = pow(left, 1.0 / (1.0 + trial));
+        for (int i = 0; i < SPHERICAL_WRIST_JOINTS; ++i) {
+            other[i] = start[i] + beside * cos(1.0 + i);
+        }
+        const double reached = polish(other, p, M, unit);
+        for (int i = 0; i < SPHERICAL_WRIST_JOINTS && reached < left; ++i) {
+            q[0][i] = other[i];
+        }
+        left = fmin(left, reached);
+    }
+    int found = left <= ((mark & IS_DOUBTFUL) ? fmax(1e-12, reach) : fmax(1e-9, reach));
+    for (int k = 0; k < found; ++k) {
+        for (int i = 0; i < SPHERICAL_WRIST_JOINTS; ++i) {
+            q[k][i] = wrap(q[k][i]);
+        }
+    }
+    return found;
+}
+
+int spherical_wrist_ik_marked(const double T[16], const spherical_wrist_params *p,
+    const double reference[SPHERICAL_WRIST_JOINTS], double q[][SPHERICAL_WRIST_JOINTS],
+    spherical_wrist_mark marks[])
 {
     static const double zeros[SPHERICAL_WRIST_JOINTS] = {0.0};
     if (reference == NULL) {
@@ -206,14 +360,18 @@ int spherical_wrist_ik_near(const double T[16], const spherical_wrist_params *p,
     const double u_x = M[0], w_x = M[2];
     const double u_y = M[4], w_y = M[6];
     const double u_z = M[8], w_z = M[10];
+    const double d6 = p->d6;
+    const double size = fabs(d6);
     const double tau = 1.4210854715202004e-14 + defect;
     int count = 0;
 
     /* (1) theta4: homogeneous equation a c + b s = 0: c4*w_y - s4*w_x = 0 */
     double c4_roots[2], s4_roots[2];
-    const int n1 = solve_homogeneous(-w_y, w_x, tau, reference[0], c4_roots, s4_roots);
+    int mark1_roots[2];
+    const int n1 = solve_homogeneous(-w_y, w_x, tau, reference[0], c4_roots, s4_roots, mark1_roots);
     for (int i1 = 0; i1 < n1; ++i1) {
         const double c4 = c4_roots[i1], s4 = s4_roots[i1];
+        const int mark1 = mark1_roots[i1];
         const double theta4 = angle_of(s4, c4);
 
         /* T_1_3: what is known moved to the left side */
@@ -237,13 +395,202 @@ int spherical_wrist_ik_near(const double T[16], const spherical_wrist_params *p,
         q[count][0] = theta4;
         q[count][1] = theta5;
         q[count][2] = theta6;
-        count += all_finite(q[count]);
+        const unsigned branch = (unsigned)(i1);
+        marks[count].branch = branch;
+        const int mark = mark1;
+        marks[count].free = (mark1 & IS_FREE ? 1u : 0u);
+        marks[count].border = 0;
+        count += mark ? settle(q + count, mark, p, M, tau, size) : all_finite(q[count]);
     }
     return count;
+}
+
+int spherical_wrist_ik_near(const double T[16], const spherical_wrist_params *p,
+    const double reference[SPHERICAL_WRIST_JOINTS], double q[][SPHERICAL_WRIST_JOINTS])
+{
+    spherical_wrist_mark marks[SPHERICAL_WRIST_MAX_SOLUTIONS];
+    return spherical_wrist_ik_marked(T, p, reference, q, marks);
 }
 
 int spherical_wrist_ik(const double T[16], const spherical_wrist_params *p,
     double q[][SPHERICAL_WRIST_JOINTS])
 {
     return spherical_wrist_ik_near(T, p, NULL, q);
+}
+
+const char *const spherical_wrist_branches[SPHERICAL_WRIST_MAX_SOLUTIONS] = {
+    "wrist not flipped",
+    "wrist flipped",
+};
+
+const double spherical_wrist_lower[SPHERICAL_WRIST_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+const double spherical_wrist_upper[SPHERICAL_WRIST_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+
+/* A letter for each joint: R is wound by whole turns, P slides. */
+static const char kinds[] = "RRR";
+
+/* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
+#define TURN 6.283185307179586
+#define SLACK 1e-12
+
+/* Whether these are numbers; NULL counts as such. */
+static int are_numbers(const double x[SPHERICAL_WRIST_JOINTS])
+{
+    for (int i = 0; x != NULL && i < SPHERICAL_WRIST_JOINTS; ++i) {
+        if (!isfinite(x[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* Whether the limits of every joint are an interval. Written so that NaN fails. */
+static int all_intervals(const double lower[SPHERICAL_WRIST_JOINTS], const double upper[SPHERICAL_WRIST_JOINTS])
+{
+    for (int i = 0; i < SPHERICAL_WRIST_JOINTS; ++i) {
+        if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
+static void turns_of(int i, double x, double low, double high, double *first, double *last)
+{
+    const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
+    *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
+    *last = kinds[i] == 'R' ? floor(end / TURN) : 0.0;
+}
+
+/* The value of joint i after whole turns, inside the limits that it is within the slack of. */
+static double moved(int i, double x, double turns, double low, double high)
+{
+    return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
+}
+
+/* What a solution with this mark comes to. */
+static spherical_wrist_status status_of(spherical_wrist_mark special)
+{
+    return special.free | special.border ? SPHERICAL_WRIST_SINGULAR : SPHERICAL_WRIST_SOLVED;
+}
+
+spherical_wrist_status spherical_wrist_solve(const double T[16], const spherical_wrist_params *p,
+    const double reference[SPHERICAL_WRIST_JOINTS], spherical_wrist_solutions *out)
+{
+    out->count = 0;
+    out->status = SPHERICAL_WRIST_BAD_REFERENCE;
+    if (!are_numbers(reference)) {
+        return out->status;
+    }
+    const int count = spherical_wrist_ik_marked(T, p, reference, out->q, out->marks);
+    if (count <= 0) {
+        out->status = count == SPHERICAL_WRIST_NOT_A_POSE ? SPHERICAL_WRIST_NOT_A_POSE
+            : count == SPHERICAL_WRIST_BAD_PARAMETER ? SPHERICAL_WRIST_BAD_PARAMETER : SPHERICAL_WRIST_UNREACHABLE;
+        return out->status;
+    }
+    out->count = count;
+    out->status = SPHERICAL_WRIST_SOLVED;
+    for (int k = 0; k < count; ++k) {
+        if (status_of(out->marks[k]) == SPHERICAL_WRIST_SINGULAR) {
+            out->status = SPHERICAL_WRIST_SINGULAR;
+        }
+    }
+    return out->status;
+}
+
+unsigned spherical_wrist_family(unsigned free)
+{
+    unsigned moving = free;
+    moving |= (free & 1u) == 1u ? 5u : 0u;
+    return moving;
+}
+
+int spherical_wrist_within(const double T[16], const spherical_wrist_params *p,
+    const double reference[SPHERICAL_WRIST_JOINTS], const double lower[SPHERICAL_WRIST_JOINTS],
+    const double upper[SPHERICAL_WRIST_JOINTS], int capacity, double q[][SPHERICAL_WRIST_JOINTS],
+    spherical_wrist_mark marks[])
+{
+    const double *low = lower == NULL ? spherical_wrist_lower : lower;
+    const double *high = upper == NULL ? spherical_wrist_upper : upper;
+    spherical_wrist_solutions found;
+    double total = 0.0;
+    int used = 0;
+    if (!all_intervals(low, high)) {
+        return SPHERICAL_WRIST_BAD_LIMIT;
+    }
+    if (spherical_wrist_solve(T, p, reference, &found) <= 0) {
+        return found.status;
+    }
+    for (int k = 0; k < found.count; ++k) {
+        double first[SPHERICAL_WRIST_JOINTS], last[SPHERICAL_WRIST_JOINTS], turns[SPHERICAL_WRIST_JOINTS], number = 1.0;
+        for (int i = 0; i < SPHERICAL_WRIST_JOINTS; ++i) {
+            turns_of(i, found.q[k][i], low[i], high[i], &first[i], &last[i]);
+            if (kinds[i] == 'R' && !(isfinite(low[i]) && isfinite(high[i]))) {
+                first[i] = fmax(first[i], 0.0);
+                last[i] = fmin(last[i], 0.0);
+            }
+            turns[i] = first[i];
+            number *= fmax(last[i] - first[i] + 1.0, 0.0);
+        }
+        total += number;
+        for (double done = 0.0; done < number && used < capacity; done += 1.0) {
+            for (int i = 0; i < SPHERICAL_WRIST_JOINTS; ++i) {
+                q[used][i] = moved(i, found.q[k][i], turns[i], low[i], high[i]);
+            }
+            marks[used] = found.marks[k];
+            ++used;
+            for (int i = SPHERICAL_WRIST_JOINTS - 1; i >= 0; --i) {
+                if (turns[i] < last[i]) {
+                    turns[i] += 1.0;
+                    break;
+                }
+                turns[i] = first[i];
+            }
+        }
+    }
+    return total < INT_MAX ? (int)total : INT_MAX;
+}
+
+spherical_wrist_status spherical_wrist_nearest(const double T[16], const spherical_wrist_params *p,
+    const double reference[SPHERICAL_WRIST_JOINTS], const double weights[SPHERICAL_WRIST_JOINTS],
+    const double lower[SPHERICAL_WRIST_JOINTS], const double upper[SPHERICAL_WRIST_JOINTS],
+    double q[SPHERICAL_WRIST_JOINTS])
+{
+    const double *low = lower == NULL ? spherical_wrist_lower : lower;
+    const double *high = upper == NULL ? spherical_wrist_upper : upper;
+    spherical_wrist_solutions found;
+    spherical_wrist_status status = SPHERICAL_WRIST_UNREACHABLE;
+    double least = HUGE_VAL;
+    if (!all_intervals(low, high)) {
+        return SPHERICAL_WRIST_BAD_LIMIT;
+    }
+    for (int i = 0; weights != NULL && i < SPHERICAL_WRIST_JOINTS; ++i) {
+        if (!(weights[i] >= 0.0 && weights[i] < HUGE_VAL)) {
+            return SPHERICAL_WRIST_BAD_WEIGHT;
+        }
+    }
+    if (spherical_wrist_solve(T, p, reference, &found) <= 0) {
+        return found.status;
+    }
+    for (int k = 0; k < found.count; ++k) {
+        double trial[SPHERICAL_WRIST_JOINTS], cost = 0.0;
+        int fits = 1;
+        for (int i = 0; i < SPHERICAL_WRIST_JOINTS; ++i) {
+            const double x = found.q[k][i], wanted = reference == NULL ? 0.0 : reference[i];
+            double first, last;
+            turns_of(i, x, low[i], high[i], &first, &last);
+            fits = fits && first <= last;
+            trial[i] = moved(i, x, fmin(fmax(ceil((wanted - x) / TURN - 0.5), first), last), low[i], high[i]);
+            cost += (weights == NULL ? 1.0 : weights[i]) * ((trial[i] - wanted) * (trial[i] - wanted));
+        }
+        if (fits && (status == SPHERICAL_WRIST_UNREACHABLE || cost < least * (1.0 - 1e-9))) {
+            status = status_of(found.marks[k]);
+            least = cost;
+            for (int i = 0; i < SPHERICAL_WRIST_JOINTS; ++i) {
+                q[i] = trial[i];
+            }
+        }
+    }
+    return status;
 }

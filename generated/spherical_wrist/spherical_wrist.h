@@ -38,9 +38,17 @@ extern "C" {
 #define SPHERICAL_WRIST_JOINTS 3
 #define SPHERICAL_WRIST_MAX_SOLUTIONS 2
 
-/* What spherical_wrist_ik returns instead of a number of solutions. */
-#define SPHERICAL_WRIST_NOT_A_POSE (-1)
-#define SPHERICAL_WRIST_BAD_PARAMETER (-2)
+/* What a call came to. Functions that return a number of solutions return a negative value instead of one. */
+typedef enum spherical_wrist_status {
+    SPHERICAL_WRIST_UNREACHABLE = 0, /* no solution */
+    SPHERICAL_WRIST_SOLVED = 1,
+    SPHERICAL_WRIST_SINGULAR = 2, /* solved, with a joint that is free or on a border */
+    SPHERICAL_WRIST_NOT_A_POSE = -1,
+    SPHERICAL_WRIST_BAD_PARAMETER = -2,
+    SPHERICAL_WRIST_BAD_REFERENCE = -3,
+    SPHERICAL_WRIST_BAD_LIMIT = -4,
+    SPHERICAL_WRIST_BAD_WEIGHT = -5
+} spherical_wrist_status;
 
 /* The parameters of the table. */
 typedef struct spherical_wrist_params {
@@ -55,6 +63,14 @@ void spherical_wrist_fk(const double q[SPHERICAL_WRIST_JOINTS], const spherical_
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
 void spherical_wrist_jacobian(const double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist_params *p,
     double J[6 * SPHERICAL_WRIST_JOINTS]);
+
+/*
+ * Singular poses:
+ *   s5 = 0: wrist singularity: axes 1 and 3 coincide.
+ * Families of solutions; a free joint takes its value in the reference:
+ *   theta5 = 0: theta4 is free; theta4 + theta6 stays constant; theta6 follows.
+ *   theta5 = pi: theta4 is free; theta4 - theta6 stays constant; theta6 follows.
+ */
 
 /* Inverse kinematics: every solution of the pose T, angles in (-pi, pi], a fixed order of branches.
  *
@@ -71,6 +87,65 @@ int spherical_wrist_ik(const double T[16], const spherical_wrist_params *p,
  * reference that is NULL is all zeros. */
 int spherical_wrist_ik_near(const double T[16], const spherical_wrist_params *p,
     const double reference[SPHERICAL_WRIST_JOINTS], double q[][SPHERICAL_WRIST_JOINTS]);
+
+/* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
+ * SPHERICAL_WRIST_MAX_SOLUTIONS - 1,
+ * whatever branches have no solution. free and border: bit i stands for joint i; free joints take the value of the
+ * reference (several: their sum does), of border joints two solutions meet in this one. */
+typedef struct spherical_wrist_mark {
+    unsigned branch, free, border;
+} spherical_wrist_mark;
+
+/* The same; marks[i] belongs to q[i]. */
+int spherical_wrist_ik_marked(const double T[16], const spherical_wrist_params *p,
+    const double reference[SPHERICAL_WRIST_JOINTS], double q[][SPHERICAL_WRIST_JOINTS],
+    spherical_wrist_mark marks[]);
+
+/* The names of the branches by their number:
+ *  0: wrist not flipped
+ *  1: wrist flipped
+ *  wrist not flipped: about axis 2, axis 3 is less than half a turn ahead of axis 1.
+ */
+extern const char *const spherical_wrist_branches[SPHERICAL_WRIST_MAX_SOLUTIONS];
+
+/* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
+extern const double spherical_wrist_lower[SPHERICAL_WRIST_JOINTS], spherical_wrist_upper[SPHERICAL_WRIST_JOINTS];
+
+/* The solutions of one pose in the order of branches, and what the call came to. */
+typedef struct spherical_wrist_solutions {
+    spherical_wrist_status status;
+    int count; /* 0 unless the status is SPHERICAL_WRIST_SOLVED or SPHERICAL_WRIST_SINGULAR */
+    double q[SPHERICAL_WRIST_MAX_SOLUTIONS][SPHERICAL_WRIST_JOINTS];
+    spherical_wrist_mark marks[SPHERICAL_WRIST_MAX_SOLUTIONS];
+} spherical_wrist_solutions;
+
+/* ik_marked with a status, which is returned as well; SPHERICAL_WRIST_BAD_REFERENCE if the reference is not finite. */
+spherical_wrist_status spherical_wrist_solve(const double T[16], const spherical_wrist_params *p,
+    const double reference[SPHERICAL_WRIST_JOINTS], spherical_wrist_solutions *out);
+
+/* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
+ * families above says. */
+unsigned spherical_wrist_family(unsigned free);
+
+/* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
+ * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
+ * fit; a length is never wound.
+ * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
+ * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
+ * SPHERICAL_WRIST_BAD_LIMIT if limits are no interval. */
+int spherical_wrist_within(const double T[16], const spherical_wrist_params *p,
+    const double reference[SPHERICAL_WRIST_JOINTS], const double lower[SPHERICAL_WRIST_JOINTS],
+    const double upper[SPHERICAL_WRIST_JOINTS], int capacity, double q[][SPHERICAL_WRIST_JOINTS],
+    spherical_wrist_mark marks[]);
+
+/* The solution nearest to a reference: least is the sum of weights (NULL: 1) times squared differences, over all
+ * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
+ * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
+ * there is none. SPHERICAL_WRIST_BAD_WEIGHT if a weight is negative or not finite. */
+spherical_wrist_status spherical_wrist_nearest(const double T[16], const spherical_wrist_params *p,
+    const double reference[SPHERICAL_WRIST_JOINTS], const double weights[SPHERICAL_WRIST_JOINTS],
+    const double lower[SPHERICAL_WRIST_JOINTS], const double upper[SPHERICAL_WRIST_JOINTS],
+    double q[SPHERICAL_WRIST_JOINTS]);
 
 #ifdef __cplusplus
 }

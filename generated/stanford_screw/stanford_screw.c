@@ -21,6 +21,7 @@
  */
 #include "stanford_screw.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stddef.h>
 
@@ -30,6 +31,14 @@ static double angle_of(double s, double c)
     const double pi = 3.141592653589793;
     const double angle = atan2(s, c);
     return angle <= -pi ? pi : angle;
+}
+
+/* The same angle in (-pi, pi]. */
+static double wrap(double angle)
+{
+    const double pi = 3.141592653589793;
+    const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
+    return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
 void stanford_screw_fk(const double q[STANFORD_SCREW_JOINTS], const stanford_screw_params *p, double T[16])
@@ -178,39 +187,56 @@ void stanford_screw_jacobian(const double q[STANFORD_SCREW_JOINTS], const stanfo
     J[35] = z6_z;
 }
 
+/* The marks of a root: its unknown is free; two roots meet in it; it lies so near to one of these that its last digits
+ * are lost; it may not exist. */
+#define IS_FREE 1
+#define IS_BORDER 2
+#define IS_SOFT 4
+#define IS_DOUBTFUL 8
+
+/* How far beside a special pose a root is marked, in tolerances: a millionth of the equation's unit. */
+#define NEAR 67108864.0
+
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2])
+static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
         c[0] = cos(reference);
         s[0] = sin(reference);
+        mark[0] = IS_FREE;
         return 1;
     }
     c[0] = b / r;
     s[0] = -a / r;
     c[1] = -c[0];
     s[1] = -s[0];
+    mark[0] = mark[1] = r <= NEAR * t ? IS_SOFT : 0;
     return 2;
 }
 
-/* The angles with a*cos + b*sin = e: two; one on the border, where they meet; one, free, if a, b, e vanish. */
-static int solve_linear(double a, double b, double e, double t, double reference, double c[2], double s[2])
+/* The angles with a*cos + b*sin = e: two; one on the border, where they meet; one, free, if a, b, e vanish. Beyond
+ * the border there is none, but just beyond it, or anywhere if loose, one in doubt. */
+static int solve_linear(double a, double b, double e, double t, double reference, int loose,
+                        double c[2], double s[2], int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     const double g = r - fabs(e);
+    const double doubt = loose ? HUGE_VAL : NEAR * t;
     if (r <= t) {
         c[0] = cos(reference);
         s[0] = sin(reference);
-        return fabs(e) <= t;
+        mark[0] = fabs(e) <= t ? IS_FREE : IS_FREE | IS_DOUBTFUL;
+        return fabs(e) <= fmax(t, doubt);
     }
-    if (!(g >= -t)) {
+    if (!(g >= -doubt)) {
         return 0;
     }
     if (g <= t) {
         const double signed_r = e < 0.0 ? -r : r;
         c[0] = a / signed_r;
         s[0] = b / signed_r;
+        mark[0] = g >= -t ? IS_BORDER : IS_BORDER | IS_DOUBTFUL;
         return 1;
     }
     const double h = sqrt(g * (r + fabs(e)));
@@ -219,6 +245,7 @@ static int solve_linear(double a, double b, double e, double t, double reference
     s[0] = (b * e + a * h) / rr;
     c[1] = (a * e + b * h) / rr;
     s[1] = (b * e - a * h) / rr;
+    mark[0] = mark[1] = g <= NEAR * t ? IS_SOFT : 0;
     return 2;
 }
 
@@ -281,8 +308,195 @@ static int all_finite(const double q[STANFORD_SCREW_JOINTS])
     return 1;
 }
 
-int stanford_screw_ik_near(const double T[16], const stanford_screw_params *p,
-    const double reference[STANFORD_SCREW_JOINTS], double q[][STANFORD_SCREW_JOINTS])
+/* The entries of the pose that the task asks for, by their place in a matrix. */
+#define ENTRIES 12
+static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+
+/* Whether a joint slides. */
+static const int slides[STANFORD_SCREW_JOINTS] = {0, 0, 1, 0, 0, 0};
+
+/* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
+static double distance(const double q[STANFORD_SCREW_JOINTS], const stanford_screw_params *p,
+    const double M[12], double size, double e[ENTRIES])
+{
+    double T[16], sum = 0.0;
+    stanford_screw_fk(q, p, T);
+    for (int i = 0; i < ENTRIES; ++i) {
+        e[i] = (T[entry_of[i]] - M[entry_of[i]]) / (entry_of[i] % 4 == 3 ? size : 1.0);
+        sum += e[i] * e[i];
+    }
+    return sqrt(sum);
+}
+
+/* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
+ * angular velocity. */
+static void slopes(const double q[STANFORD_SCREW_JOINTS], const stanford_screw_params *p, double size,
+    double D[ENTRIES][STANFORD_SCREW_JOINTS])
+{
+    double T[16], J[6 * STANFORD_SCREW_JOINTS];
+    stanford_screw_fk(q, p, T);
+    stanford_screw_jacobian(q, p, J);
+    for (int i = 0; i < ENTRIES; ++i) {
+        const int row = entry_of[i] / 4, column = entry_of[i] % 4, next = (row + 1) % 3, last = (row + 2) % 3;
+        for (int j = 0; j < STANFORD_SCREW_JOINTS; ++j) {
+            const double *v = J + j, *w = v + 3 * STANFORD_SCREW_JOINTS;
+            const double turned = w[next * STANFORD_SCREW_JOINTS] * T[4 * last + column]
+                - w[last * STANFORD_SCREW_JOINTS] * T[4 * next + column];
+            D[i][j] = column == 3 ? v[row * STANFORD_SCREW_JOINTS] / size : turned;
+            D[i][j] *= slides[j] ? size : 1.0;
+        }
+    }
+}
+
+/* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
+ * orthogonal to each other (modified Gram and Schmidt, the right side last). */
+static void step(double D[ENTRIES][STANFORD_SCREW_JOINTS], const double e[ENTRIES], double damping,
+    double g[STANFORD_SCREW_JOINTS])
+{
+    double A[STANFORD_SCREW_JOINTS + 1][ENTRIES + STANFORD_SCREW_JOINTS];
+    double R[STANFORD_SCREW_JOINTS][STANFORD_SCREW_JOINTS + 1];
+    for (int i = 0; i <= STANFORD_SCREW_JOINTS; ++i) {
+        for (int k = 0; k < ENTRIES + STANFORD_SCREW_JOINTS; ++k) {
+            A[i][k] = k >= ENTRIES ? (k == ENTRIES + i ? damping : 0.0) : i < STANFORD_SCREW_JOINTS ? D[k][i] : e[k];
+        }
+    }
+    for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
+        for (int j = i; j <= STANFORD_SCREW_JOINTS; ++j) {
+            R[i][j] = 0.0;
+            for (int k = 0; k < ENTRIES + STANFORD_SCREW_JOINTS; ++k) {
+                R[i][j] += A[i][k] * A[j][k];
+            }
+            R[i][j] = j == i ? sqrt(R[i][i]) : R[i][j] / R[i][i];
+            for (int k = 0; k < ENTRIES + STANFORD_SCREW_JOINTS; ++k) {
+                A[j][k] -= j == i ? 0.0 : R[i][j] / R[i][i] * A[i][k];
+            }
+        }
+    }
+    for (int i = STANFORD_SCREW_JOINTS - 1; i >= 0; --i) {
+        g[i] = R[i][STANFORD_SCREW_JOINTS];
+        for (int k = i + 1; k < STANFORD_SCREW_JOINTS; ++k) {
+            g[i] -= R[i][k] * g[k];
+        }
+        g[i] /= R[i][i];
+    }
+}
+
+/* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
+ * Jacobian loses rank. Returns the distance. */
+static double polish(double q[STANFORD_SCREW_JOINTS], const stanford_screw_params *p, const double M[12],
+    double size)
+{
+    double e[ENTRIES], D[ENTRIES][STANFORD_SCREW_JOINTS], g[STANFORD_SCREW_JOINTS], trial[STANFORD_SCREW_JOINTS];
+    double left = distance(q, p, M, size, e), caution = 1.0;
+    for (int pass = 0; pass < 40 && left > 1e-15 && caution < 1e9; ++pass) {
+        slopes(q, p, size, D);
+        step(D, e, fmax(left, 1e-14) * caution, g);
+        for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
+            trial[i] = q[i] - (slides[i] ? size : 1.0) * g[i];
+        }
+        const double reached = distance(trial, p, M, size, e);
+        if (reached < left) {
+            for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
+                q[i] = trial[i];
+            }
+            left = reached;
+            caution *= 0.1;
+        } else {
+            distance(q, p, M, size, e);
+            caution *= 10.0;
+        }
+    }
+    return left;
+}
+
+/* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
+ * Where two borders cross the distance is stationary, and a second start lies beside it. A border
+ * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
+ * q, on branch twin. */
+static int settle(double q[][STANFORD_SCREW_JOINTS], stanford_screw_mark marks[], double alike[],
+    unsigned twin, int mark, const stanford_screw_params *p, const double M[12], double tau, double size)
+{
+    double e[ENTRIES], start[STANFORD_SCREW_JOINTS], other[STANFORD_SCREW_JOINTS];
+    const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
+    double left = distance(q[0], p, M, unit, e);
+    if (!(left > reach)) {
+        return left <= reach;
+    }
+    for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
+        start[i] = q[0][i];
+    }
+    left = polish(q[0], p, M, unit);
+    for (int trial = 1; trial < 4 && left > reach; ++trial) {
+        const double beside = pow(left, 1.0 / (1.0 + trial));
+        for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
+            other[i] = start[i] + beside * (slides[i] ? unit : 1.0) * cos(1.0 + i);
+        }
+        const double reached = polish(other, p, M, unit);
+        for (int i = 0; i < STANFORD_SCREW_JOINTS && reached < left; ++i) {
+            q[0][i] = other[i];
+        }
+        left = fmin(left, reached);
+    }
+    int found = left <= ((mark & IS_DOUBTFUL) ? fmax(1e-12, reach) : fmax(1e-9, reach));
+    if (found && (mark & IS_BORDER)) {
+        for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
+            q[1][i] = start[i] - (q[0][i] - start[i]);
+        }
+        found += polish(q[1], p, M, unit) <= reach;
+        marks[1] = marks[0];
+        marks[1].branch = twin;
+        alike[1] = 1e-3;
+    }
+    alike[0] = (mark & IS_DOUBTFUL) ? 1e-3 : 1e-6;
+    for (int k = 0; k < found; ++k) {
+        for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
+            q[k][i] = slides[i] ? q[k][i] : wrap(q[k][i]);
+        }
+    }
+    return found;
+}
+
+/* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
+ * alike tells, and puts the rest in the order of their branches; returns how many are left. */
+static int tidied(double q[][STANFORD_SCREW_JOINTS], stanford_screw_mark marks[], const double alike[],
+    int count, double size)
+{
+    int kept = 0;
+    for (int i = 0; i < count; ++i) {
+        double moved[STANFORD_SCREW_JOINTS];
+        const stanford_screw_mark mark = marks[i];
+        int copy = 0, place = kept;
+        for (int j = 0; j < count && !copy && alike[i] > 0.0; ++j) {
+            copy = j < kept || (j > i && alike[j] < alike[i]);
+            for (int k = 0; k < STANFORD_SCREW_JOINTS && copy; ++k) {
+                const double gap = q[i][k] - q[j][k];
+                copy = fabs(slides[k] ? gap / (size > 0.0 ? size : 1.0) : wrap(gap)) <= alike[i];
+            }
+        }
+        if (copy) {
+            continue;
+        }
+        for (int k = 0; k < STANFORD_SCREW_JOINTS; ++k) {
+            moved[k] = q[i][k];
+        }
+        for (; place > 0 && marks[place - 1].branch > mark.branch; --place) {
+            marks[place] = marks[place - 1];
+            for (int k = 0; k < STANFORD_SCREW_JOINTS; ++k) {
+                q[place][k] = q[place - 1][k];
+            }
+        }
+        marks[place] = mark;
+        for (int k = 0; k < STANFORD_SCREW_JOINTS; ++k) {
+            q[place][k] = moved[k];
+        }
+        ++kept;
+    }
+    return kept;
+}
+
+int stanford_screw_ik_marked(const double T[16], const stanford_screw_params *p,
+    const double reference[STANFORD_SCREW_JOINTS], double q[][STANFORD_SCREW_JOINTS],
+    stanford_screw_mark marks[])
 {
     static const double zeros[STANFORD_SCREW_JOINTS] = {0.0};
     if (reference == NULL) {
@@ -303,6 +517,8 @@ int stanford_screw_ik_near(const double T[16], const stanford_screw_params *p,
     const double h = p->h;
     const double size = fabs(g) + fabs(h) + fabs(p_x) + fabs(p_y) + fabs(p_z);
     const double tau = 1.4210854715202004e-14 + defect;
+    double alike[STANFORD_SCREW_MAX_SOLUTIONS];
+    int special = 0;
     int count = 0;
 
     /* T_0_6: what is known moved to the left side */
@@ -312,9 +528,12 @@ int stanford_screw_ik_near(const double T[16], const stanford_screw_params *p,
 
     /* (1) theta1: one linear equation a c + b s = e: c1*p06_x + s1*p06_y = g */
     double c1_roots[2], s1_roots[2];
-    const int n1 = solve_linear(p06_x, p06_y, g, tau * size, reference[0], c1_roots, s1_roots);
+    int mark1_roots[2];
+    const int n1 = solve_linear(p06_x, p06_y, g, tau * size, reference[0], 0, c1_roots, s1_roots,
+        mark1_roots);
     for (int i1 = 0; i1 < n1; ++i1) {
         const double c1 = c1_roots[i1], s1 = s1_roots[i1];
+        const int mark1 = mark1_roots[i1];
         const double theta1 = angle_of(s1, c1);
 
         /* T_1_6: what is known moved to the left side */
@@ -326,9 +545,12 @@ int stanford_screw_ik_near(const double T[16], const stanford_screw_params *p,
 
         /* (2) theta2: homogeneous equation a c + b s = 0: s2*p16_x - c2*p06_z = 0 */
         double c2_roots[2], s2_roots[2];
-        const int n2 = solve_homogeneous(-p06_z, p16_x, tau * size, reference[1], c2_roots, s2_roots);
+        int mark2_roots[2];
+        const int n2 = solve_homogeneous(-p06_z, p16_x, tau * size, reference[1], c2_roots, s2_roots,
+            mark2_roots);
         for (int i2 = 0; i2 < n2; ++i2) {
             const double c2 = c2_roots[i2], s2 = s2_roots[i2];
+            const int mark2 = mark2_roots[i2];
             const double theta2 = angle_of(s2, c2);
 
             /* T_2_6: what is known moved to the left side */
@@ -343,9 +565,12 @@ int stanford_screw_ik_near(const double T[16], const stanford_screw_params *p,
 
             /* (4) theta4: homogeneous equation a c + b s = 0: s4*w16_z - c4*w26_y = 0 */
             double c4_roots[2], s4_roots[2];
-            const int n3 = solve_homogeneous(-w26_y, w16_z, tau, reference[3], c4_roots, s4_roots);
+            int mark4_roots[2];
+            const int n3 = solve_homogeneous(-w26_y, w16_z, tau, reference[3], c4_roots, s4_roots,
+                mark4_roots);
             for (int i3 = 0; i3 < n3; ++i3) {
                 const double c4 = c4_roots[i3], s4 = s4_roots[i3];
+                const int mark4 = mark4_roots[i3];
                 const double theta4 = angle_of(s4, c4);
 
                 /* T_4_6: what is known moved to the left side */
@@ -372,14 +597,216 @@ int stanford_screw_ik_near(const double T[16], const stanford_screw_params *p,
                 q[count][3] = theta4;
                 q[count][4] = theta5;
                 q[count][5] = theta6;
-                count += all_finite(q[count]);
+                const unsigned branch = (unsigned)(4 * i1 + 2 * i2 + i3);
+                marks[count].branch = branch;
+                const int mark = mark1 | mark2 | mark4;
+                alike[count] = (mark & IS_DOUBTFUL) ? 1e-3 : 0.0;
+                special |= mark;
+                marks[count].free = (mark1 & IS_FREE ? 1u : 0u) | (mark2 & IS_FREE ? 2u : 0u)
+                    | (mark4 & IS_FREE ? 8u : 0u);
+                marks[count].border = (mark1 & IS_BORDER ? 1u : 0u);
+                count += mark ? settle(q + count, marks + count, alike + count, branch
+                    + (mark1 & IS_BORDER ? 4u : 0u), mark, p, M, tau, size) : all_finite(q[count]);
             }
         }
     }
-    return count;
+    return special ? tidied(q, marks, alike, count, size) : count;
+}
+
+int stanford_screw_ik_near(const double T[16], const stanford_screw_params *p,
+    const double reference[STANFORD_SCREW_JOINTS], double q[][STANFORD_SCREW_JOINTS])
+{
+    stanford_screw_mark marks[STANFORD_SCREW_MAX_SOLUTIONS];
+    return stanford_screw_ik_marked(T, p, reference, q, marks);
 }
 
 int stanford_screw_ik(const double T[16], const stanford_screw_params *p, double q[][STANFORD_SCREW_JOINTS])
 {
     return stanford_screw_ik_near(T, p, NULL, q);
+}
+
+const char *const stanford_screw_branches[STANFORD_SCREW_MAX_SOLUTIONS] = {
+    "shoulder left, d3 > 0, wrist flipped",
+    "shoulder left, d3 > 0, wrist not flipped",
+    "shoulder left, d3 < 0, wrist flipped",
+    "shoulder left, d3 < 0, wrist not flipped",
+    "shoulder right, d3 > 0, wrist flipped",
+    "shoulder right, d3 > 0, wrist not flipped",
+    "shoulder right, d3 < 0, wrist flipped",
+    "shoulder right, d3 < 0, wrist not flipped",
+};
+
+const double stanford_screw_lower[STANFORD_SCREW_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+    -HUGE_VAL, -HUGE_VAL};
+const double stanford_screw_upper[STANFORD_SCREW_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
+    HUGE_VAL};
+
+/* A letter for each joint: R is wound by whole turns, P slides. */
+static const char kinds[] = "RRPRRR";
+
+/* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
+#define TURN 6.283185307179586
+#define SLACK 1e-12
+
+/* Whether these are numbers; NULL counts as such. */
+static int are_numbers(const double x[STANFORD_SCREW_JOINTS])
+{
+    for (int i = 0; x != NULL && i < STANFORD_SCREW_JOINTS; ++i) {
+        if (!isfinite(x[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* Whether the limits of every joint are an interval. Written so that NaN fails. */
+static int all_intervals(const double lower[STANFORD_SCREW_JOINTS], const double upper[STANFORD_SCREW_JOINTS])
+{
+    for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
+        if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
+static void turns_of(int i, double x, double low, double high, double *first, double *last)
+{
+    const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
+    *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
+    *last = kinds[i] == 'R' ? floor(end / TURN) : 0.0;
+}
+
+/* The value of joint i after whole turns, inside the limits that it is within the slack of. */
+static double moved(int i, double x, double turns, double low, double high)
+{
+    return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
+}
+
+/* What a solution with this mark comes to. */
+static stanford_screw_status status_of(stanford_screw_mark special)
+{
+    return special.free | special.border ? STANFORD_SCREW_SINGULAR : STANFORD_SCREW_SOLVED;
+}
+
+stanford_screw_status stanford_screw_solve(const double T[16], const stanford_screw_params *p,
+    const double reference[STANFORD_SCREW_JOINTS], stanford_screw_solutions *out)
+{
+    out->count = 0;
+    out->status = STANFORD_SCREW_BAD_REFERENCE;
+    if (!are_numbers(reference)) {
+        return out->status;
+    }
+    const int count = stanford_screw_ik_marked(T, p, reference, out->q, out->marks);
+    if (count <= 0) {
+        out->status = count == STANFORD_SCREW_NOT_A_POSE ? STANFORD_SCREW_NOT_A_POSE
+            : count == STANFORD_SCREW_BAD_PARAMETER ? STANFORD_SCREW_BAD_PARAMETER : STANFORD_SCREW_UNREACHABLE;
+        return out->status;
+    }
+    out->count = count;
+    out->status = STANFORD_SCREW_SOLVED;
+    for (int k = 0; k < count; ++k) {
+        if (status_of(out->marks[k]) == STANFORD_SCREW_SINGULAR) {
+            out->status = STANFORD_SCREW_SINGULAR;
+        }
+    }
+    return out->status;
+}
+
+unsigned stanford_screw_family(unsigned free)
+{
+    unsigned moving = free;
+    moving |= (free & 2u) == 2u ? 58u : 0u;
+    moving |= (free & 8u) == 8u ? 40u : 0u;
+    return moving;
+}
+
+int stanford_screw_within(const double T[16], const stanford_screw_params *p,
+    const double reference[STANFORD_SCREW_JOINTS], const double lower[STANFORD_SCREW_JOINTS],
+    const double upper[STANFORD_SCREW_JOINTS], int capacity, double q[][STANFORD_SCREW_JOINTS],
+    stanford_screw_mark marks[])
+{
+    const double *low = lower == NULL ? stanford_screw_lower : lower;
+    const double *high = upper == NULL ? stanford_screw_upper : upper;
+    stanford_screw_solutions found;
+    double total = 0.0;
+    int used = 0;
+    if (!all_intervals(low, high)) {
+        return STANFORD_SCREW_BAD_LIMIT;
+    }
+    if (stanford_screw_solve(T, p, reference, &found) <= 0) {
+        return found.status;
+    }
+    for (int k = 0; k < found.count; ++k) {
+        double first[STANFORD_SCREW_JOINTS], last[STANFORD_SCREW_JOINTS], turns[STANFORD_SCREW_JOINTS], number = 1.0;
+        for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
+            turns_of(i, found.q[k][i], low[i], high[i], &first[i], &last[i]);
+            if (kinds[i] == 'R' && !(isfinite(low[i]) && isfinite(high[i]))) {
+                first[i] = fmax(first[i], 0.0);
+                last[i] = fmin(last[i], 0.0);
+            }
+            turns[i] = first[i];
+            number *= fmax(last[i] - first[i] + 1.0, 0.0);
+        }
+        total += number;
+        for (double done = 0.0; done < number && used < capacity; done += 1.0) {
+            for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
+                q[used][i] = moved(i, found.q[k][i], turns[i], low[i], high[i]);
+            }
+            marks[used] = found.marks[k];
+            ++used;
+            for (int i = STANFORD_SCREW_JOINTS - 1; i >= 0; --i) {
+                if (turns[i] < last[i]) {
+                    turns[i] += 1.0;
+                    break;
+                }
+                turns[i] = first[i];
+            }
+        }
+    }
+    return total < INT_MAX ? (int)total : INT_MAX;
+}
+
+stanford_screw_status stanford_screw_nearest(const double T[16], const stanford_screw_params *p,
+    const double reference[STANFORD_SCREW_JOINTS], const double weights[STANFORD_SCREW_JOINTS],
+    const double lower[STANFORD_SCREW_JOINTS], const double upper[STANFORD_SCREW_JOINTS],
+    double q[STANFORD_SCREW_JOINTS])
+{
+    const double *low = lower == NULL ? stanford_screw_lower : lower;
+    const double *high = upper == NULL ? stanford_screw_upper : upper;
+    stanford_screw_solutions found;
+    stanford_screw_status status = STANFORD_SCREW_UNREACHABLE;
+    double least = HUGE_VAL;
+    if (!all_intervals(low, high)) {
+        return STANFORD_SCREW_BAD_LIMIT;
+    }
+    for (int i = 0; weights != NULL && i < STANFORD_SCREW_JOINTS; ++i) {
+        if (!(weights[i] >= 0.0 && weights[i] < HUGE_VAL)) {
+            return STANFORD_SCREW_BAD_WEIGHT;
+        }
+    }
+    if (stanford_screw_solve(T, p, reference, &found) <= 0) {
+        return found.status;
+    }
+    for (int k = 0; k < found.count; ++k) {
+        double trial[STANFORD_SCREW_JOINTS], cost = 0.0;
+        int fits = 1;
+        for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
+            const double x = found.q[k][i], wanted = reference == NULL ? 0.0 : reference[i];
+            double first, last;
+            turns_of(i, x, low[i], high[i], &first, &last);
+            fits = fits && first <= last;
+            trial[i] = moved(i, x, fmin(fmax(ceil((wanted - x) / TURN - 0.5), first), last), low[i], high[i]);
+            cost += (weights == NULL ? 1.0 : weights[i]) * ((trial[i] - wanted) * (trial[i] - wanted));
+        }
+        if (fits && (status == STANFORD_SCREW_UNREACHABLE || cost < least * (1.0 - 1e-9))) {
+            status = status_of(found.marks[k]);
+            least = cost;
+            for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
+                q[i] = trial[i];
+            }
+        }
+    }
+    return status;
 }

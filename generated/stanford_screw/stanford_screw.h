@@ -42,9 +42,17 @@ extern "C" {
 #define STANFORD_SCREW_JOINTS 6
 #define STANFORD_SCREW_MAX_SOLUTIONS 8
 
-/* What stanford_screw_ik returns instead of a number of solutions. */
-#define STANFORD_SCREW_NOT_A_POSE (-1)
-#define STANFORD_SCREW_BAD_PARAMETER (-2)
+/* What a call came to. Functions that return a number of solutions return a negative value instead of one. */
+typedef enum stanford_screw_status {
+    STANFORD_SCREW_UNREACHABLE = 0, /* no solution */
+    STANFORD_SCREW_SOLVED = 1,
+    STANFORD_SCREW_SINGULAR = 2, /* solved, with a joint that is free or on a border */
+    STANFORD_SCREW_NOT_A_POSE = -1,
+    STANFORD_SCREW_BAD_PARAMETER = -2,
+    STANFORD_SCREW_BAD_REFERENCE = -3,
+    STANFORD_SCREW_BAD_LIMIT = -4,
+    STANFORD_SCREW_BAD_WEIGHT = -5
+} stanford_screw_status;
 
 /* The parameters of the table. */
 typedef struct stanford_screw_params {
@@ -60,6 +68,17 @@ void stanford_screw_fk(const double q[STANFORD_SCREW_JOINTS], const stanford_scr
 void stanford_screw_jacobian(const double q[STANFORD_SCREW_JOINTS], const stanford_screw_params *p,
     double J[6 * STANFORD_SCREW_JOINTS]);
 
+/*
+ * Singular poses:
+ *   d3 = 0: the wrist centre lies on axis 2.
+ *   s5 = 0: wrist singularity: axes 4 and 6 coincide.
+ *   c2 = 0: shoulder singularity: the wrist centre lies in the plane of axes 1 and 2.
+ * Families of solutions; a free joint takes its value in the reference:
+ *   d3 = 0: theta2 is free; theta1 stays constant; theta4, theta5 and theta6 follow.
+ *   theta5 = 0: theta4 is free; theta4 + theta6, theta1, theta2 and d3 stay constant; theta6 follows.
+ *   theta5 = pi: theta4 is free; theta4 - theta6, theta1, theta2 and d3 stay constant; theta6 follows.
+ */
+
 /* Inverse kinematics: every solution of the pose T, angles in (-pi, pi], a fixed order of branches.
  *
  * Returns the number of solutions, at most STANFORD_SCREW_MAX_SOLUTIONS (q needs room for so many; rows beyond the
@@ -74,6 +93,74 @@ int stanford_screw_ik(const double T[16], const stanford_screw_params *p, double
  * reference that is NULL is all zeros. */
 int stanford_screw_ik_near(const double T[16], const stanford_screw_params *p,
     const double reference[STANFORD_SCREW_JOINTS], double q[][STANFORD_SCREW_JOINTS]);
+
+/* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
+ * STANFORD_SCREW_MAX_SOLUTIONS - 1,
+ * whatever branches have no solution. free and border: bit i stands for joint i; free joints take the value of the
+ * reference (several: their sum does), of border joints two solutions meet in this one. */
+typedef struct stanford_screw_mark {
+    unsigned branch, free, border;
+} stanford_screw_mark;
+
+/* The same; marks[i] belongs to q[i]. */
+int stanford_screw_ik_marked(const double T[16], const stanford_screw_params *p,
+    const double reference[STANFORD_SCREW_JOINTS], double q[][STANFORD_SCREW_JOINTS],
+    stanford_screw_mark marks[]);
+
+/* The names of the branches by their number:
+ *  0: shoulder left, d3 > 0, wrist flipped
+ *  1: shoulder left, d3 > 0, wrist not flipped
+ *  2: shoulder left, d3 < 0, wrist flipped
+ *  3: shoulder left, d3 < 0, wrist not flipped
+ *  4: shoulder right, d3 > 0, wrist flipped
+ *  5: shoulder right, d3 > 0, wrist not flipped
+ *  6: shoulder right, d3 < 0, wrist flipped
+ *  7: shoulder right, d3 < 0, wrist not flipped
+ *  shoulder right: seen from axis 1 towards the point where axes 5 and 6 meet, axis 1 upward, axis 2 points
+ *    to the right.
+ *  d3 > 0 and d3 < 0: the sign of d3.
+ *  wrist not flipped: about axis 5, axis 6 is less than half a turn ahead of axis 4.
+ */
+extern const char *const stanford_screw_branches[STANFORD_SCREW_MAX_SOLUTIONS];
+
+/* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
+extern const double stanford_screw_lower[STANFORD_SCREW_JOINTS], stanford_screw_upper[STANFORD_SCREW_JOINTS];
+
+/* The solutions of one pose in the order of branches, and what the call came to. */
+typedef struct stanford_screw_solutions {
+    stanford_screw_status status;
+    int count; /* 0 unless the status is STANFORD_SCREW_SOLVED or STANFORD_SCREW_SINGULAR */
+    double q[STANFORD_SCREW_MAX_SOLUTIONS][STANFORD_SCREW_JOINTS];
+    stanford_screw_mark marks[STANFORD_SCREW_MAX_SOLUTIONS];
+} stanford_screw_solutions;
+
+/* ik_marked with a status, which is returned as well; STANFORD_SCREW_BAD_REFERENCE if the reference is not finite. */
+stanford_screw_status stanford_screw_solve(const double T[16], const stanford_screw_params *p,
+    const double reference[STANFORD_SCREW_JOINTS], stanford_screw_solutions *out);
+
+/* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
+ * families above says. */
+unsigned stanford_screw_family(unsigned free);
+
+/* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
+ * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
+ * fit; a length is never wound.
+ * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
+ * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
+ * STANFORD_SCREW_BAD_LIMIT if limits are no interval. */
+int stanford_screw_within(const double T[16], const stanford_screw_params *p,
+    const double reference[STANFORD_SCREW_JOINTS], const double lower[STANFORD_SCREW_JOINTS],
+    const double upper[STANFORD_SCREW_JOINTS], int capacity, double q[][STANFORD_SCREW_JOINTS],
+    stanford_screw_mark marks[]);
+
+/* The solution nearest to a reference: least is the sum of weights (NULL: 1) times squared differences, over all
+ * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
+ * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
+ * there is none. STANFORD_SCREW_BAD_WEIGHT if a weight is negative or not finite. */
+stanford_screw_status stanford_screw_nearest(const double T[16], const stanford_screw_params *p,
+    const double reference[STANFORD_SCREW_JOINTS], const double weights[STANFORD_SCREW_JOINTS],
+    const double lower[STANFORD_SCREW_JOINTS], const double upper[STANFORD_SCREW_JOINTS],
+    double q[STANFORD_SCREW_JOINTS]);
 
 #ifdef __cplusplus
 }

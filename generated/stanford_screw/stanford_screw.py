@@ -23,12 +23,31 @@ Poses are 4x4 matrices T = [u v w p; 0 0 0 1]. Angles are in radians, lengths in
     T = fk(q)                 # (..., 6) -> (..., 4, 4)
     q = ik(T)                 # (4, 4) -> (m, 6): all m solutions, m = 0 if out of reach
     q, valid = ik_batch(T)    # (..., 4, 4) -> (..., 8, 6) and (..., 8)
+    s = solve(T)              # (4, 4) -> Solutions: q with branches (see BRANCHES), marks and a status
+    s = within(T)             # the same inside joint limits, with all windings
+    q = nearest(T, reference) # (4, 4) and (6,) -> (6,), None if there is none
     J = jacobian(q)           # (..., 6) -> (..., 6, 6)
 
 The parameters are keyword arguments; PARAMETERS holds the values of the table, None where it has none.
+
+Singular poses:
+  d3 = 0: the wrist centre lies on axis 2.
+  s5 = 0: wrist singularity: axes 4 and 6 coincide.
+  c2 = 0: shoulder singularity: the wrist centre lies in the plane of axes 1 and 2.
+Families of solutions; a free joint takes its value in the reference:
+  d3 = 0: theta2 is free; theta1 stays constant; theta4, theta5 and theta6 follow.
+  theta5 = 0: theta4 is free; theta4 + theta6, theta1, theta2 and d3 stay constant; theta6 follows.
+  theta5 = pi: theta4 is free; theta4 - theta6, theta1, theta2 and d3 stay constant; theta6 follows.
+
+The names of branches, BRANCHES:
+  shoulder right: seen from axis 1 towards the point where axes 5 and 6 meet, axis 1 upward, axis 2 points
+    to the right.
+  d3 > 0 and d3 < 0: the sign of d3.
+  wrist not flipped: about axis 5, axis 6 is less than half a turn ahead of axis 4.
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -39,6 +58,35 @@ JOINT_TYPES = ("R", "R", "P", "R", "R", "R")
 PARAMETERS = {"g": None, "h": None}
 TASK = "pose"
 MAX_SOLUTIONS = 8
+BRANCHES = (
+    "shoulder left, d3 > 0, wrist flipped",
+    "shoulder left, d3 > 0, wrist not flipped",
+    "shoulder left, d3 < 0, wrist flipped",
+    "shoulder left, d3 < 0, wrist not flipped",
+    "shoulder right, d3 > 0, wrist flipped",
+    "shoulder right, d3 > 0, wrist not flipped",
+    "shoulder right, d3 < 0, wrist flipped",
+    "shoulder right, d3 < 0, wrist not flipped",
+)
+LIMITS = (
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+    (-math.inf, math.inf),
+)
+
+_WINDS = np.array([True, True, False, True, True, True])
+# The bits of what a family is named by, and of all joints that move along it.
+_FAMILIES = ((2, 58), (8, 40))
+# Within this share of a limit, or of 1, a joint value is on it.
+_SLACK = 1e-12
+_MOST_WINDINGS = 1_000_000
+
+_ROWS = np.array([0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2])
+_COLUMNS = np.array([0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3])
+_SLIDES = np.array([False, False, True, False, False, False])
 
 # Poses worked on at a time, so that memory stays bounded and the arrays stay in the cache.
 _BLOCK = 4096
@@ -190,7 +238,173 @@ def ik_batch(T, *, reference=None, g, h):
     has the shape (6,) or (..., 6); see ik. Raises ValueError if an entry of T is no pose.
     """
     _check_parameters(g=g, h=h)
-    return _in_blocks(T, reference, (g, h))
+    return _in_blocks(T, reference, (g, h))[:2]
+
+
+class Solutions(NamedTuple):
+    """The solutions of one pose, m of them in the order of branches, and what the call came to.
+
+    q (m, 6) are the joint vectors, branch (m,) their places in BRANCHES. free and border (m, 6) tell which joints
+    are free (one takes its value in the reference; of several the sum does) and of which two solutions meet. family
+    (m, 6) are the joints that move along the family of a free joint, as the list at the top of the module says.
+    status: "solved"; "singular", solved with a joint that is free or on a border; "unreachable"; "not a pose".
+    """
+
+    q: np.ndarray
+    branch: np.ndarray
+    free: np.ndarray
+    border: np.ndarray
+    family: np.ndarray
+    status: str
+
+
+def solve(T, *, reference=None, g, h):
+    """The solutions of one pose T (4, 4) with their branches, marks and a status; what is no pose raises nothing.
+
+    Angles are in (-pi, pi]. Raises ValueError for a wrong shape and for a reference that
+    is not finite.
+    """
+    _check_parameters(g=g, h=h)
+    T = _single(T, (4, 4), "a pose")
+    reference = _reference(reference)
+    if not _is_pose(T):
+        return _solutions(np.empty((0, 6)), np.empty(0, dtype=int), *np.empty((2, 0), dtype=int), "not a pose")
+    q, valid, free, border = _in_blocks(T, reference, (g, h))
+    return _solutions(q[valid], np.flatnonzero(valid), free[valid], border[valid])
+
+
+def within(T, *, limits=None, reference=None, g, h):
+    """The solutions of one pose T (4, 4) inside joint limits (6, 2), default LIMITS, with all their windings.
+
+    Every whole turn of a revolute joint that fits counts, turns of the first joint outermost; a joint with an
+    infinite limit is not wound, its value in (-pi, pi] has to fit. A length is never wound. Within 1e-12 of a limit is
+    on it. Status "unreachable" if nothing is left. Raises ValueError as solve does, for limits that are no interval,
+    and if more than a million joint vectors fit.
+    """
+    found = solve(T, reference=reference, g=g, h=h)
+    return _within(found, *_limits(limits))
+
+
+def nearest(T, reference, *, weights=None, limits=None, g, h):
+    """The solution (6,) of one pose T (4, 4) nearest to a reference joint vector (6,), None if there is none.
+
+    Least is the sum of weights (6,), default 1, times squared differences, over all windings inside the limits
+    (6, 2), default LIMITS; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
+    digits are a tie, and the branch that comes first wins. Raises ValueError as solve does, if T is no pose, for
+    weights that are negative or not finite, and for limits that are no interval.
+    """
+    found = solve(T, reference=reference, g=g, h=h)
+    if found.status == "not a pose":
+        raise ValueError("T is no rigid motion: its rotation must be right-handed and orthogonal to 1e-6")
+    return _nearest(found.q, _reference(reference), _weights(weights), *_limits(limits))
+
+
+def _within(found, low, high):
+    """The windings of solutions inside limits."""
+    turns, row = _windings(found.q, low, high)
+    branch, free, border, family = (part[row] for part in found[1:5])
+    status = found.status if found.status == "not a pose" else _status(free, border)
+    return Solutions(_wound(found.q[row], turns, low, high), branch, free, border, family, status)
+
+
+@np.errstate(over="ignore")
+def _nearest(q, reference, weights, low, high):
+    """The row of q (m, 6), wound inside the limits, that is nearest to the reference; None if none is inside."""
+    first, last = _turns(q, low, high)
+    turns = np.where(_WINDS, np.ceil((reference - q) / (2.0 * np.pi) - 0.5), 0.0)
+    q = _wound(q, np.minimum(np.maximum(turns, first), last), low, high)
+    costs = (weights * (q - reference) ** 2).sum(axis=1)
+    chosen = None
+    for row in np.flatnonzero((first <= last).all(axis=1)):
+        if chosen is None or costs[row] < costs[chosen] * (1.0 - 1e-9):
+            chosen = row
+    return None if chosen is None else q[chosen]
+
+
+def _single(value, shape, what):
+    """An array of numbers of exactly this shape; ValueError otherwise."""
+    array = _array(value, shape, what)
+    if array.shape != shape:
+        raise ValueError(f"{what} has the shape {shape}, not {array.shape}")
+    return array
+
+
+def _reference(reference):
+    """One reference joint vector (6,), zeros where the caller gave none."""
+    if reference is None:
+        return np.zeros(6)
+    return _references(_single(reference, (6,), "a reference joint vector"), ())[0]
+
+
+def _is_pose(T):
+    """Whether T (4, 4) is a rigid motion."""
+    try:
+        _read_poses(T[None], 0)
+    except ValueError:
+        return False
+    return True
+
+
+def _solutions(q, branch, free, border, status=None):
+    """Solutions with the bits of joints spread out, and their status if there is no other."""
+    family = free
+    for own, moving in _FAMILIES:
+        family = family | np.where(free & own == own, moving, 0)
+    free, border, family = ((bits[:, None] >> np.arange(6)) & 1 != 0 for bits in (free, border, family))
+    return Solutions(q, branch, free, border, family, status or _status(free, border))
+
+
+def _status(free, border):
+    """What solutions with these marks (m, 6) come to."""
+    if not len(free):
+        return "unreachable"
+    return "singular" if free.any() or border.any() else "solved"
+
+
+def _limits(limits):
+    """Lower and upper limits (6,) each; ValueError with the joint whose limits are no interval."""
+    limits = _single(LIMITS if limits is None else limits, (6, 2), "joint limits")
+    for name, (low, high) in zip(JOINTS, limits.tolist()):
+        if not (low <= high and low < math.inf and high > -math.inf):
+            raise ValueError(f"the limits of {name} must be a lower and an upper number, not {low!r} and {high!r}")
+    return limits.T
+
+
+def _weights(weights):
+    """Weights (6,), ones where the caller gave none; ValueError with the joint whose weight is none."""
+    weights = np.ones(6) if weights is None else _single(weights, (6,), "the weights")
+    for name, weight in zip(JOINTS, weights.tolist()):
+        if not 0.0 <= weight < math.inf:
+            raise ValueError(f"the weight of {name} must be finite and not negative, not {weight!r}")
+    return weights
+
+
+def _turns(q, low, high):
+    """The least and the largest number of whole turns (m, 6) that take q into the limits; least > largest: none."""
+    start = low - _SLACK * np.maximum(1.0, np.abs(low)) - q
+    end = high + _SLACK * np.maximum(1.0, np.abs(high)) - q
+    first = np.where(_WINDS, np.ceil(start / (2.0 * np.pi)), np.where((start <= 0.0) & (end >= 0.0), 0.0, 1.0))
+    return first, np.where(_WINDS, np.floor(end / (2.0 * np.pi)), 0.0)
+
+
+def _windings(q, low, high):
+    """All whole turns (w, 6) that take rows of q (m, 6) into the limits, and the row (w,) of each."""
+    first, last = _turns(q, low, high)
+    endless = _WINDS & ~(np.isfinite(low) & np.isfinite(high))
+    first, last = np.where(endless, np.maximum(first, 0.0), first), np.where(endless, np.minimum(last, 0.0), last)
+    numbers = np.maximum(last - first + 1.0, 0.0).prod(axis=1)
+    if numbers.sum() > _MOST_WINDINGS:
+        raise ValueError(f"{numbers.sum():.0f} joint vectors are inside the limits: narrow them")
+    grids = [
+        np.stack(np.meshgrid(*map(np.arange, low, high + 1.0), indexing="ij"), axis=-1).reshape(-1, 6)
+        for low, high in zip(first, last)
+    ]
+    return np.concatenate([np.empty((0, 6)), *grids]), np.repeat(np.arange(len(q)), numbers.astype(int))
+
+
+def _wound(q, turns, low, high):
+    """Joint values after whole turns, inside the limits that they are within the slack of."""
+    return np.clip(q + 2.0 * np.pi * turns, low, high)
 
 
 def _in_blocks(T, reference, parameters):
@@ -201,11 +415,12 @@ def _in_blocks(T, reference, parameters):
     near = _references(reference, shape)
     q = np.empty((len(poses), MAX_SOLUTIONS, 6))
     valid = np.empty((len(poses), MAX_SOLUTIONS), dtype=bool)
+    free, border = np.empty((2, len(poses), MAX_SOLUTIONS), dtype=np.int64)
     for start in range(0, len(poses), _BLOCK):
         part = slice(start, start + _BLOCK)
         M, defect = _read_poses(poses[part], start)
-        q[part], valid[part] = _solve(M, defect, near[part].T, *parameters)
-    return q.reshape(*shape, *q.shape[1:]), valid.reshape(*shape, *valid.shape[1:])
+        q[part], valid[part], free[part], border[part] = _solve(M, defect, near[part].T, *parameters)
+    return tuple(array.reshape(*shape, *array.shape[1:]) for array in (q, valid, free, border))
 
 
 @np.errstate(all="ignore")
@@ -233,7 +448,7 @@ def _solve(M, defect, reference, g, h):
     p06_z = p_z - h * w_z
 
     # (1) theta1: one linear equation a c + b s = e: c1*p06_x + s1*p06_y = g
-    c1, s1, real1 = _linear(p06_x, p06_y, g, tau * size, reference[0], axes=1)
+    c1, s1, mark1, real1 = _linear(p06_x, p06_y, g, tau * size, reference[0], 0, axes=1)
     theta1 = _angle(s1, c1)
 
     # T_1_6: what is known moved to the left side
@@ -244,7 +459,7 @@ def _solve(M, defect, reference, g, h):
     p16_x = c1 * p06_y - s1 * p06_x
 
     # (2) theta2: homogeneous equation a c + b s = 0: s2*p16_x - c2*p06_z = 0
-    c2, s2, real2 = _homogeneous(-p06_z, p16_x, tau * size, reference[1], axes=2)
+    c2, s2, mark2, real2 = _homogeneous(-p06_z, p16_x, tau * size, reference[1], axes=2)
     theta2 = _angle(s2, c2)
 
     # T_2_6: what is known moved to the left side
@@ -258,7 +473,7 @@ def _solve(M, defect, reference, g, h):
     d3 = p26_z
 
     # (4) theta4: homogeneous equation a c + b s = 0: s4*w16_z - c4*w26_y = 0
-    c4, s4, real3 = _homogeneous(-w26_y, w16_z, tau, reference[3], axes=3)
+    c4, s4, mark4, real3 = _homogeneous(-w26_y, w16_z, tau, reference[3], axes=3)
     theta4 = _angle(s4, c4)
 
     # T_4_6: what is known moved to the left side
@@ -291,8 +506,141 @@ def _solve(M, defect, reference, g, h):
     valid = np.isfinite(q).all(axis=-1)
     real = np.broadcast_to(real1 & real2 & real3, (2, 2, 2, M.shape[-1]))
     valid &= real.transpose(3, 2, 1, 0).reshape(valid.shape)
+    free = border = 0
+    mark = mark1 | mark2 | mark4
+    if np.any(mark):
+        free = np.where(mark1 & _FREE, 1, 0) | np.where(mark2 & _FREE, 2, 0) | np.where(mark4 & _FREE, 8, 0)
+        border = np.where(mark1 & _BORDER, 1, 0)
+        apart = np.where(mark1 & _BORDER, 4, 0)
+        mark, free, border, apart = (
+            np.broadcast_to(bits, (2, 2, 2, M.shape[-1]))
+            .transpose(3, 2, 1, 0)
+            .reshape(valid.shape)
+            .copy()
+            for bits in (mark, free, border, apart)
+        )
+        T = np.concatenate([M, np.zeros((1, 4, M.shape[-1]))]).transpose(2, 0, 1)
+        T[:, 3, 3] = 1.0
+        _settle(q, valid, mark, free, border, apart, T, tau, size, dict(g=g, h=h))
     q[~valid] = np.nan
-    return q, valid
+    return q, valid, free, border
+
+
+def _distance(q, M, size, given):
+    """The forward kinematics of q (k, 6) less the poses M (k, 4, 4) in the entries of the task, lengths over the size.
+
+    Returns the differences (k, 12) and their norms (k,).
+    """
+    e = (fk(q, **given) - M)[:, _ROWS, _COLUMNS] / np.where(_COLUMNS == 3, size[:, None], 1.0)
+    return e, np.sqrt((e * e).sum(axis=1))
+
+
+def _slopes(q, size, given):
+    """The derivatives (k, 12, 6) of these differences by the joints, lengths over the size."""
+    T, J = fk(q, **given), jacobian(q, **given)
+    # A column of the rotation turns with the angular velocity.
+    turned = np.cross(J[:, None, 3:], T[:, :3, :3].transpose(0, 2, 1)[..., None], axis=2)
+    every = np.concatenate([turned, J[:, None, :3] / size[:, None, None, None]], axis=1)
+    D = every[:, _COLUMNS, _ROWS] * np.where(_SLIDES, size[:, None], 1.0)[:, None]
+    return D
+
+
+def _polish(q, M, size, given):
+    """Move q (k, 6) towards the poses M (k, 4, 4) by least squares; returns the distances that are left (k,).
+
+    Damped by the distance: fast even where the Jacobian loses rank.
+    """
+    e, left = _distance(q, M, size, given)
+    caution = np.ones_like(left)
+    for _ in range(40):
+        rows = np.flatnonzero((left > 1e-15) & (caution < 1e9))
+        if not rows.size:
+            break
+        damping = np.maximum(left[rows], 1e-14) * caution[rows]
+        D = np.concatenate([_slopes(q[rows], size[rows], given), damping[:, None, None] * np.eye(6)], axis=1)
+        Q, R = np.linalg.qr(D)
+        step = np.linalg.solve(R, Q[:, : e.shape[1]].transpose(0, 2, 1) @ e[rows, :, None])[..., 0]
+        trial = q[rows] - step * np.where(_SLIDES, size[rows, None], 1.0)
+        differences, reached = _distance(trial, M[rows], size[rows], given)
+        better = reached < left[rows]
+        caution[rows] *= np.where(better, 0.1, 10.0)
+        rows = rows[better]
+        q[rows], e[rows], left[rows] = trial[better], differences[better], reached[better]
+    return left
+
+
+def _settle(q, valid, mark, free, border, apart, M, tau, size, given):
+    """Polish the marked solutions q (N, 8, 6) that need it, and say in valid (N, 8) which of them are solutions.
+
+    Where two borders cross the distance is stationary, and a second start lies beside it. A border that had to be
+    polished hid two solutions: the other is looked for on the other side. apart (N, 8) tells how many places
+    farther it belongs, 0 where there is none; free and border are the bits of joints.    """
+    valid &= np.isfinite(q).all(axis=-1)
+    pose, branch = np.nonzero(valid & (mark != 0))
+    scale = np.broadcast_to(np.where(size > 0.0, size, 1.0), tau.shape)
+    M, size, reach = M[pose], scale[pose], 4.0 * tau[pose]
+    start = q[pose, branch]
+    ends, left = start.copy(), _distance(start, M, size, given)[1]
+    for trial in range(4):
+        rows = np.flatnonzero(left > reach)
+        if not rows.size:
+            break
+        beside = left[rows, None] ** (1.0 / (1.0 + trial)) * (trial > 0)
+        beside = beside * np.cos(1.0 + np.arange(6)) * np.where(_SLIDES, size[rows, None], 1.0)
+        moved = start[rows] + beside
+        reached = _polish(moved, M[rows], size[rows], given)
+        better = (reached < left[rows]) | (trial == 0)
+        ends[rows[better]], left[rows[better]] = moved[better], reached[better]
+    alike = np.zeros(valid.shape)
+    doubtful = mark[pose, branch] & _DOUBTFUL != 0
+    good = left <= np.maximum(np.where(doubtful, 1e-12, 1e-9), reach)
+    moved = (ends != start).any(axis=1)
+    q[pose, branch] = np.where(moved[:, None], _wrapped(ends), start)
+    valid[pose, branch] = good
+    alike[pose, branch] = np.where(doubtful, 1e-3, 1e-6 * moved)
+    rows = np.flatnonzero(good & moved & (apart[pose, branch] > 0))
+    twins = start[rows] - (ends[rows] - start[rows])
+    good = _polish(twins, M[rows], size[rows], given) <= reach[rows]
+    rows, twins = rows[good], twins[good]
+    place = branch[rows] + apart[pose[rows], branch[rows]]
+    q[pose[rows], place], valid[pose[rows], place] = _wrapped(twins), True
+    for bits in (mark, free, border):
+        bits[pose[rows], place] = bits[pose[rows], branch[rows]]
+    alike[pose[rows], place] = 1e-3
+    _drop_copies(q, valid, alike, scale)
+
+
+def _wrapped(q):
+    """Joint vectors with their angles in (-pi, pi]."""
+    return np.where(_SLIDES, q, _wrap(q))
+
+
+def _drop_copies(q, valid, alike, size):
+    """Take the solutions out that moved and turned out to be another one, as near as alike tells.
+
+    A solution that did not move stays, and of two that moved the one that moved from a surer root.
+    """
+    for branch in range(MAX_SOLUTIONS):
+        for pose in np.flatnonzero(valid[:, branch] & (alike[:, branch] > 0.0)):
+            others = valid[pose] & ((np.arange(MAX_SOLUTIONS) < branch) | (alike[pose] < alike[pose, branch]))
+            gap = np.abs(_wrapped(q[pose] - q[pose, branch])) / np.where(_SLIDES, size[pose], 1.0)
+            valid[pose, branch] = not (others & (gap <= alike[pose, branch]).all(axis=1)).any()
+
+
+# The marks of a root: its unknown is free; two roots meet in it; it lies so near to one of these that its last digits
+# are lost; it may not exist.
+_FREE, _BORDER, _SOFT, _DOUBTFUL = 1, 2, 4, 8
+
+# How far beside a special pose a root is marked, in tolerances: a millionth of the equation's unit.
+_NEAR = 2.0**26
+
+
+def _mark(near, free=0, border=0, doubtful=0):
+    """The marks of roots; plain 0 where there is nothing to mark, which is almost always."""
+    if not np.any(near):
+        return 0
+    special = _FREE * free + _BORDER * border + _DOUBTFUL * doubtful
+    return near * np.where(special == 0, _SOFT, special)
 
 
 def _homogeneous(a, b, t, reference, axes):
@@ -301,11 +649,14 @@ def _homogeneous(a, b, t, reference, axes):
     r = np.sqrt(a * a + b * b)
     free = r <= t
     c, s = _free(free, reference, sign * (b / r), sign * (-a / r))
-    return c, s, (sign > 0.0) | ~free
+    return c, s, _mark(r <= _NEAR * t, free=free), (sign > 0.0) | ~free
 
 
-def _linear(a, b, e, t, reference, axes):
-    """The angles with a*cos + b*sin = e: two; one on the border, where they meet; one, free, if a, b, e vanish."""
+def _linear(a, b, e, t, reference, loose, axes):
+    """The angles with a*cos + b*sin = e: two; one on the border, where they meet; one, free, if a, b, e vanish.
+
+    Beyond the border there is none, but just beyond it, or anywhere if loose, one in doubt.
+    """
     sign = _signs(axes)
     r = np.sqrt(a * a + b * b)
     g = r - np.abs(e)
@@ -316,8 +667,12 @@ def _linear(a, b, e, t, reference, axes):
     c = np.where(border, a / signed_r, (a * e - b * h) / rr)
     s = np.where(border, b / signed_r, (b * e + a * h) / rr)
     c, s = _free(free, reference, c, s)
-    real = np.where(free, np.abs(e) <= t, g >= -t)
-    return c, s, real & ((sign > 0.0) | ~(free | border))
+    beyond = np.where(free, np.abs(e) > t, g < -t)
+    loosely = np.not_equal(loose, 0) & np.isfinite(g)
+    near = (np.abs(g) <= _NEAR * t) | free | (beyond & loosely)
+    real = np.where(free, np.abs(e), -g) <= _NEAR * t
+    mark = _mark(near, free=free, border=border & ~free, doubtful=beyond)
+    return c, s, mark, (real | loosely) & ((sign > 0.0) | ~(free | border))
 
 
 def _signs(axes):
@@ -336,6 +691,12 @@ def _angle(s, c):
     """The angle of a sine and a cosine in (-pi, pi]; arctan2 alone gives -pi where the sine is -0."""
     angle = np.arctan2(s, c)
     return np.where(angle <= -np.pi, np.pi, angle)
+
+
+def _wrap(angle):
+    """The same angle in (-pi, pi]."""
+    wrapped = angle - 2.0 * np.pi * np.ceil((angle - np.pi) / (2.0 * np.pi))
+    return np.where(np.abs(wrapped) >= np.pi, np.pi, wrapped)  # rounding can touch the ends
 
 
 @np.errstate(all="ignore")

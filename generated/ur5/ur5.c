@@ -20,6 +20,7 @@
  */
 #include "ur5.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stddef.h>
 
@@ -195,39 +196,56 @@ void ur5_jacobian(const double q[UR5_JOINTS], const ur5_params *p, double J[6 * 
     J[35] = z6_z;
 }
 
+/* The marks of a root: its unknown is free; two roots meet in it; it lies so near to one of these that its last digits
+ * are lost; it may not exist. */
+#define IS_FREE 1
+#define IS_BORDER 2
+#define IS_SOFT 4
+#define IS_DOUBTFUL 8
+
+/* How far beside a special pose a root is marked, in tolerances: a millionth of the equation's unit. */
+#define NEAR 67108864.0
+
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2])
+static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
         c[0] = cos(reference);
         s[0] = sin(reference);
+        mark[0] = IS_FREE;
         return 1;
     }
     c[0] = b / r;
     s[0] = -a / r;
     c[1] = -c[0];
     s[1] = -s[0];
+    mark[0] = mark[1] = r <= NEAR * t ? IS_SOFT : 0;
     return 2;
 }
 
-/* The angles with a*cos + b*sin = e: two; one on the border, where they meet; one, free, if a, b, e vanish. */
-static int solve_linear(double a, double b, double e, double t, double reference, double c[2], double s[2])
+/* The angles with a*cos + b*sin = e: two; one on the border, where they meet; one, free, if a, b, e vanish. Beyond
+ * the border there is none, but just beyond it, or anywhere if loose, one in doubt. */
+static int solve_linear(double a, double b, double e, double t, double reference, int loose,
+                        double c[2], double s[2], int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     const double g = r - fabs(e);
+    const double doubt = loose ? HUGE_VAL : NEAR * t;
     if (r <= t) {
         c[0] = cos(reference);
         s[0] = sin(reference);
-        return fabs(e) <= t;
+        mark[0] = fabs(e) <= t ? IS_FREE : IS_FREE | IS_DOUBTFUL;
+        return fabs(e) <= fmax(t, doubt);
     }
-    if (!(g >= -t)) {
+    if (!(g >= -doubt)) {
         return 0;
     }
     if (g <= t) {
         const double signed_r = e < 0.0 ? -r : r;
         c[0] = a / signed_r;
         s[0] = b / signed_r;
+        mark[0] = g >= -t ? IS_BORDER : IS_BORDER | IS_DOUBTFUL;
         return 1;
     }
     const double h = sqrt(g * (r + fabs(e)));
@@ -236,19 +254,24 @@ static int solve_linear(double a, double b, double e, double t, double reference
     s[0] = (b * e + a * h) / rr;
     c[1] = (a * e + b * h) / rr;
     s[1] = (b * e - a * h) / rr;
+    mark[0] = mark[1] = g <= NEAR * t ? IS_SOFT : 0;
     return 2;
 }
 
 /* Two links l1, l2 that reach (x, y). The second link has the components k along the first link and w across
- * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. */
-static int solve_triangle(double x, double y, double l1, double l2, double t,
-                          double *k, double w[2], double *along)
+ * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. Out of reach
+ * there is none, but just out of it, or anywhere if loose, one in doubt. */
+static int solve_triangle(double x, double y, double l1, double l2, double t, int loose,
+                          double *k, double w[2], double *along, int mark[2])
 {
-    const double rr = x * x + y * y;
+    const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
     const double from_outer = outer * outer - rr, from_inner = rr - inner * inner;
     const double t_outer = 2.0 * outer * t, t_inner = 2.0 * fabs(inner) * t + t * t;
-    if (!(from_outer >= -t_outer && from_inner >= -t_inner && fabs(l1) > t)) {
+    const double near_outer = 2.0 * outer * near, near_inner = 2.0 * fabs(inner) * near + near * near;
+    const int reached = from_outer >= -t_outer && from_inner >= -t_inner;
+    const int doubtful = loose ? isfinite(rr) : from_outer >= -near_outer && from_inner >= -near_inner;
+    if (!((reached || doubtful) && fabs(l1) > t)) {
         return 0;
     }
     *along = (rr + (l1 - l2) * (l1 + l2)) / (2.0 * l1);
@@ -256,28 +279,32 @@ static int solve_triangle(double x, double y, double l1, double l2, double t,
         const int same_way = (from_outer <= t_outer) == (l1 > 0.0);
         *k = same_way ? fabs(l2) : -fabs(l2);
         w[0] = 0.0;
+        mark[0] = reached ? IS_BORDER : IS_BORDER | IS_DOUBTFUL;
         return 1;
     }
     *k = (rr - l1 * l1 - l2 * l2) / (2.0 * l1);
     w[0] = sqrt(from_outer * from_inner) / (2.0 * fabs(l1));
     w[1] = -w[0];
+    mark[0] = mark[1] = from_outer <= near_outer || from_inner <= near_inner ? IS_SOFT : 0;
     return 2;
 }
 
 /* The angle that turns (along, across) into the direction of (x, y); free if (x, y) vanishes. */
-static void solve_direction(double x, double y, double along, double across, double t, double reference,
-                            double *c, double *s)
+static int solve_direction(double x, double y, double along, double across, double t, double reference,
+                           double *c, double *s)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
+    const double rr = x * x + y * y;
     const double r = sqrt(nc * nc + ns * ns);
-    if (x * x + y * y <= t * t || r == 0.0) {
+    if (rr <= t * t || r == 0.0) {
         *c = cos(reference);
         *s = sin(reference);
-    } else {
-        *c = nc / r;
-        *s = ns / r;
+        return IS_FREE;
     }
+    *c = nc / r;
+    *s = ns / r;
+    return rr <= NEAR * NEAR * t * t ? IS_SOFT : 0;
 }
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
@@ -340,8 +367,187 @@ static int all_finite(const double q[UR5_JOINTS])
     return 1;
 }
 
-int ur5_ik_near(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
-    double q[][UR5_JOINTS])
+/* The entries of the pose that the task asks for, by their place in a matrix. */
+#define ENTRIES 12
+static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+
+/* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
+static double distance(const double q[UR5_JOINTS], const ur5_params *p, const double M[12], double size,
+    double e[ENTRIES])
+{
+    double T[16], sum = 0.0;
+    ur5_fk(q, p, T);
+    for (int i = 0; i < ENTRIES; ++i) {
+        e[i] = (T[entry_of[i]] - M[entry_of[i]]) / (entry_of[i] % 4 == 3 ? size : 1.0);
+        sum += e[i] * e[i];
+    }
+    return sqrt(sum);
+}
+
+/* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
+ * angular velocity. */
+static void slopes(const double q[UR5_JOINTS], const ur5_params *p, double size,
+    double D[ENTRIES][UR5_JOINTS])
+{
+    double T[16], J[6 * UR5_JOINTS];
+    ur5_fk(q, p, T);
+    ur5_jacobian(q, p, J);
+    for (int i = 0; i < ENTRIES; ++i) {
+        const int row = entry_of[i] / 4, column = entry_of[i] % 4, next = (row + 1) % 3, last = (row + 2) % 3;
+        for (int j = 0; j < UR5_JOINTS; ++j) {
+            const double *v = J + j, *w = v + 3 * UR5_JOINTS;
+            const double turned = w[next * UR5_JOINTS] * T[4 * last + column]
+                - w[last * UR5_JOINTS] * T[4 * next + column];
+            D[i][j] = column == 3 ? v[row * UR5_JOINTS] / size : turned;
+        }
+    }
+}
+
+/* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
+ * orthogonal to each other (modified Gram and Schmidt, the right side last). */
+static void step(double D[ENTRIES][UR5_JOINTS], const double e[ENTRIES], double damping, double g[UR5_JOINTS])
+{
+    double A[UR5_JOINTS + 1][ENTRIES + UR5_JOINTS];
+    double R[UR5_JOINTS][UR5_JOINTS + 1];
+    for (int i = 0; i <= UR5_JOINTS; ++i) {
+        for (int k = 0; k < ENTRIES + UR5_JOINTS; ++k) {
+            A[i][k] = k >= ENTRIES ? (k == ENTRIES + i ? damping : 0.0) : i < UR5_JOINTS ? D[k][i] : e[k];
+        }
+    }
+    for (int i = 0; i < UR5_JOINTS; ++i) {
+        for (int j = i; j <= UR5_JOINTS; ++j) {
+            R[i][j] = 0.0;
+            for (int k = 0; k < ENTRIES + UR5_JOINTS; ++k) {
+                R[i][j] += A[i][k] * A[j][k];
+            }
+            R[i][j] = j == i ? sqrt(R[i][i]) : R[i][j] / R[i][i];
+            for (int k = 0; k < ENTRIES + UR5_JOINTS; ++k) {
+                A[j][k] -= j == i ? 0.0 : R[i][j] / R[i][i] * A[i][k];
+            }
+        }
+    }
+    for (int i = UR5_JOINTS - 1; i >= 0; --i) {
+        g[i] = R[i][UR5_JOINTS];
+        for (int k = i + 1; k < UR5_JOINTS; ++k) {
+            g[i] -= R[i][k] * g[k];
+        }
+        g[i] /= R[i][i];
+    }
+}
+
+/* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
+ * Jacobian loses rank. Returns the distance. */
+static double polish(double q[UR5_JOINTS], const ur5_params *p, const double M[12], double size)
+{
+    double e[ENTRIES], D[ENTRIES][UR5_JOINTS], g[UR5_JOINTS], trial[UR5_JOINTS];
+    double left = distance(q, p, M, size, e), caution = 1.0;
+    for (int pass = 0; pass < 40 && left > 1e-15 && caution < 1e9; ++pass) {
+        slopes(q, p, size, D);
+        step(D, e, fmax(left, 1e-14) * caution, g);
+        for (int i = 0; i < UR5_JOINTS; ++i) {
+            trial[i] = q[i] - g[i];
+        }
+        const double reached = distance(trial, p, M, size, e);
+        if (reached < left) {
+            for (int i = 0; i < UR5_JOINTS; ++i) {
+                q[i] = trial[i];
+            }
+            left = reached;
+            caution *= 0.1;
+        } else {
+            distance(q, p, M, size, e);
+            caution *= 10.0;
+        }
+    }
+    return left;
+}
+
+/* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
+ * Where two borders cross the distance is stationary, and a second start lies beside it. A border
+ * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
+ * q, on branch twin. */
+static int settle(double q[][UR5_JOINTS], ur5_mark marks[], double alike[], unsigned twin, int mark,
+    const ur5_params *p, const double M[12], double tau, double size)
+{
+    double e[ENTRIES], start[UR5_JOINTS], other[UR5_JOINTS];
+    const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
+    double left = distance(q[0], p, M, unit, e);
+    if (!(left > reach)) {
+        return left <= reach;
+    }
+    for (int i = 0; i < UR5_JOINTS; ++i) {
+        start[i] = q[0][i];
+    }
+    left = polish(q[0], p, M, unit);
+    for (int trial = 1; trial < 4 && left > reach; ++trial) {
+        const double beside = pow(left, 1.0 / (1.0 + trial));
+        for (int i = 0; i < UR5_JOINTS; ++i) {
+            other[i] = start[i] + beside * cos(1.0 + i);
+        }
+        const double reached = polish(other, p, M, unit);
+        for (int i = 0; i < UR5_JOINTS && reached < left; ++i) {
+            q[0][i] = other[i];
+        }
+        left = fmin(left, reached);
+    }
+    int found = left <= ((mark & IS_DOUBTFUL) ? fmax(1e-12, reach) : fmax(1e-9, reach));
+    if (found && (mark & IS_BORDER)) {
+        for (int i = 0; i < UR5_JOINTS; ++i) {
+            q[1][i] = start[i] - (q[0][i] - start[i]);
+        }
+        found += polish(q[1], p, M, unit) <= reach;
+        marks[1] = marks[0];
+        marks[1].branch = twin;
+        alike[1] = 1e-3;
+    }
+    alike[0] = (mark & IS_DOUBTFUL) ? 1e-3 : 1e-6;
+    for (int k = 0; k < found; ++k) {
+        for (int i = 0; i < UR5_JOINTS; ++i) {
+            q[k][i] = wrap(q[k][i]);
+        }
+    }
+    return found;
+}
+
+/* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
+ * alike tells, and puts the rest in the order of their branches; returns how many are left. */
+static int tidied(double q[][UR5_JOINTS], ur5_mark marks[], const double alike[], int count)
+{
+    int kept = 0;
+    for (int i = 0; i < count; ++i) {
+        double moved[UR5_JOINTS];
+        const ur5_mark mark = marks[i];
+        int copy = 0, place = kept;
+        for (int j = 0; j < count && !copy && alike[i] > 0.0; ++j) {
+            copy = j < kept || (j > i && alike[j] < alike[i]);
+            for (int k = 0; k < UR5_JOINTS && copy; ++k) {
+                const double gap = q[i][k] - q[j][k];
+                copy = fabs(wrap(gap)) <= alike[i];
+            }
+        }
+        if (copy) {
+            continue;
+        }
+        for (int k = 0; k < UR5_JOINTS; ++k) {
+            moved[k] = q[i][k];
+        }
+        for (; place > 0 && marks[place - 1].branch > mark.branch; --place) {
+            marks[place] = marks[place - 1];
+            for (int k = 0; k < UR5_JOINTS; ++k) {
+                q[place][k] = q[place - 1][k];
+            }
+        }
+        marks[place] = mark;
+        for (int k = 0; k < UR5_JOINTS; ++k) {
+            q[place][k] = moved[k];
+        }
+        ++kept;
+    }
+    return kept;
+}
+
+int ur5_ik_marked(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
+    double q[][UR5_JOINTS], ur5_mark marks[])
 {
     static const double zeros[UR5_JOINTS] = {0.0};
     if (reference == NULL) {
@@ -369,6 +575,8 @@ int ur5_ik_near(const double T[16], const ur5_params *p, const double reference[
     const double d6 = p->d6;
     const double size = fabs(d1) + fabs(a2) + fabs(a3) + fabs(d4) + fabs(d5) + fabs(d6);
     const double tau = 1.4210854715202004e-14 + defect;
+    double alike[UR5_MAX_SOLUTIONS];
+    int special = 0;
     int count = 0;
 
     /* T_0_6: what is known moved to the left side */
@@ -381,9 +589,12 @@ int ur5_ik_near(const double T[16], const ur5_params *p, const double reference[
 
     /* (1) theta1: one linear equation a c + b s = e: s1*p06_x - c1*p06_y = d4 */
     double c1_roots[2], s1_roots[2];
-    const int n1 = solve_linear(-p06_y, p06_x, d4, tau * size, reference[0], c1_roots, s1_roots);
+    int mark1_roots[2];
+    const int n1 = solve_linear(-p06_y, p06_x, d4, tau * size, reference[0], 0, c1_roots, s1_roots,
+        mark1_roots);
     for (int i1 = 0; i1 < n1; ++i1) {
         const double c1 = c1_roots[i1], s1 = s1_roots[i1];
+        const int mark1 = mark1_roots[i1];
         const double theta1 = angle_of(s1, c1);
 
         /* T_1_6: what is known moved to the left side */
@@ -395,10 +606,12 @@ int ur5_ik_near(const double T[16], const ur5_params *p, const double reference[
 
         /* (2) theta234: homogeneous equation a c + b s = 0: s234*w16_x - c234*w_z = 0 */
         double c234_roots[2], s234_roots[2];
+        int mark2_roots[2];
         const int n2 = solve_homogeneous(-w_z, w16_x, tau, reference[1] + reference[2] + reference[3],
-            c234_roots, s234_roots);
+            c234_roots, s234_roots, mark2_roots);
         for (int i2 = 0; i2 < n2; ++i2) {
             const double c234 = c234_roots[i2], s234 = s234_roots[i2];
+            const int mark2 = mark2_roots[i2];
             const double theta234 = angle_of(s234, c234);
 
             /* (3) theta5: cosine and sine given directly: w16_z = c5; c234*w16_x + s234*w_z = -s5 */
@@ -425,16 +638,19 @@ int ur5_ik_near(const double T[16], const ur5_params *p, const double reference[
             /* (5) theta3: two-link triangle (square and add): p14_x = a2*c2 + a3*c23;
              * p14_y = a2*s2 + a3*s23 */
             double k_3, w_3_roots[2], h_3;
-            const int n3 = solve_triangle(p14_x, p14_y, a2, a3, tau * size, &k_3, w_3_roots, &h_3);
+            int mark5_roots[2];
+            const int n3 = solve_triangle(p14_x, p14_y, a2, a3, tau * size, mark1 | mark2, &k_3, w_3_roots,
+                &h_3, mark5_roots);
             for (int i3 = 0; i3 < n3; ++i3) {
                 const double w_3 = w_3_roots[i3];
+                const int mark5 = mark5_roots[i3];
                 const double c3 = k_3 / a3;
                 const double s3 = w_3 / a3;
                 const double theta3 = angle_of(s3, c3);
 
                 /* (6) theta2: direction of the first link: p14_x = a2*c2 + a3*c23; p14_y = a2*s2 + a3*s23 */
                 double c2, s2;
-                solve_direction(p14_x, p14_y, h_3, w_3, tau * size, reference[1], &c2, &s2);
+                const int mark6 = solve_direction(p14_x, p14_y, h_3, w_3, tau * size, reference[1], &c2, &s2);
                 const double theta2 = angle_of(s2, c2);
                 const double theta4 = wrap(theta234 - theta2 - theta3);
 
@@ -444,14 +660,212 @@ int ur5_ik_near(const double T[16], const ur5_params *p, const double reference[
                 q[count][3] = theta4;
                 q[count][4] = theta5;
                 q[count][5] = theta6;
-                count += all_finite(q[count]);
+                const unsigned branch = (unsigned)(4 * i1 + 2 * i2 + i3);
+                marks[count].branch = branch;
+                const int mark = mark1 | mark2 | mark5 | mark6;
+                alike[count] = (mark & IS_DOUBTFUL) ? 1e-3 : 0.0;
+                special |= mark;
+                marks[count].free = (mark1 & IS_FREE ? 1u : 0u) | (mark2 & IS_FREE ? 14u : 0u)
+                    | (mark6 & IS_FREE ? 2u : 0u);
+                marks[count].border = (mark1 & IS_BORDER ? 1u : 0u) | (mark5 & IS_BORDER ? 4u : 0u);
+                count += mark ? settle(q + count, marks + count, alike + count, branch
+                    + (mark1 & IS_BORDER ? 4u : mark5 & IS_BORDER ? 1u : 0u), mark, p, M, tau, size)
+                    : all_finite(q[count]);
             }
         }
     }
-    return count;
+    return special ? tidied(q, marks, alike, count) : count;
+}
+
+int ur5_ik_near(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
+    double q[][UR5_JOINTS])
+{
+    ur5_mark marks[UR5_MAX_SOLUTIONS];
+    return ur5_ik_marked(T, p, reference, q, marks);
 }
 
 int ur5_ik(const double T[16], const ur5_params *p, double q[][UR5_JOINTS])
 {
     return ur5_ik_near(T, p, NULL, q);
+}
+
+const char *const ur5_branches[UR5_MAX_SOLUTIONS] = {
+    "shoulder left, wrist flipped, elbow down",
+    "shoulder left, wrist flipped, elbow up",
+    "shoulder left, wrist not flipped, elbow down",
+    "shoulder left, wrist not flipped, elbow up",
+    "shoulder right, wrist flipped, elbow up",
+    "shoulder right, wrist flipped, elbow down",
+    "shoulder right, wrist not flipped, elbow up",
+    "shoulder right, wrist not flipped, elbow down",
+};
+
+const double ur5_lower[UR5_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+const double ur5_upper[UR5_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
+
+/* A letter for each joint: R is wound by whole turns, P slides. */
+static const char kinds[] = "RRRRRR";
+
+/* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
+#define TURN 6.283185307179586
+#define SLACK 1e-12
+
+/* Whether these are numbers; NULL counts as such. */
+static int are_numbers(const double x[UR5_JOINTS])
+{
+    for (int i = 0; x != NULL && i < UR5_JOINTS; ++i) {
+        if (!isfinite(x[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* Whether the limits of every joint are an interval. Written so that NaN fails. */
+static int all_intervals(const double lower[UR5_JOINTS], const double upper[UR5_JOINTS])
+{
+    for (int i = 0; i < UR5_JOINTS; ++i) {
+        if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
+static void turns_of(int i, double x, double low, double high, double *first, double *last)
+{
+    const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
+    *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
+    *last = kinds[i] == 'R' ? floor(end / TURN) : 0.0;
+}
+
+/* The value of joint i after whole turns, inside the limits that it is within the slack of. */
+static double moved(int i, double x, double turns, double low, double high)
+{
+    return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
+}
+
+/* What a solution with this mark comes to. */
+static ur5_status status_of(ur5_mark special)
+{
+    return special.free | special.border ? UR5_SINGULAR : UR5_SOLVED;
+}
+
+ur5_status ur5_solve(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
+    ur5_solutions *out)
+{
+    out->count = 0;
+    out->status = UR5_BAD_REFERENCE;
+    if (!are_numbers(reference)) {
+        return out->status;
+    }
+    const int count = ur5_ik_marked(T, p, reference, out->q, out->marks);
+    if (count <= 0) {
+        out->status = count == UR5_NOT_A_POSE ? UR5_NOT_A_POSE
+            : count == UR5_BAD_PARAMETER ? UR5_BAD_PARAMETER : UR5_UNREACHABLE;
+        return out->status;
+    }
+    out->count = count;
+    out->status = UR5_SOLVED;
+    for (int k = 0; k < count; ++k) {
+        if (status_of(out->marks[k]) == UR5_SINGULAR) {
+            out->status = UR5_SINGULAR;
+        }
+    }
+    return out->status;
+}
+
+unsigned ur5_family(unsigned free)
+{
+    unsigned moving = free;
+    moving |= (free & 14u) == 14u ? 46u : 0u;
+    return moving;
+}
+
+int ur5_within(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
+    const double lower[UR5_JOINTS], const double upper[UR5_JOINTS], int capacity, double q[][UR5_JOINTS],
+    ur5_mark marks[])
+{
+    const double *low = lower == NULL ? ur5_lower : lower;
+    const double *high = upper == NULL ? ur5_upper : upper;
+    ur5_solutions found;
+    double total = 0.0;
+    int used = 0;
+    if (!all_intervals(low, high)) {
+        return UR5_BAD_LIMIT;
+    }
+    if (ur5_solve(T, p, reference, &found) <= 0) {
+        return found.status;
+    }
+    for (int k = 0; k < found.count; ++k) {
+        double first[UR5_JOINTS], last[UR5_JOINTS], turns[UR5_JOINTS], number = 1.0;
+        for (int i = 0; i < UR5_JOINTS; ++i) {
+            turns_of(i, found.q[k][i], low[i], high[i], &first[i], &last[i]);
+            if (kinds[i] == 'R' && !(isfinite(low[i]) && isfinite(high[i]))) {
+                first[i] = fmax(first[i], 0.0);
+                last[i] = fmin(last[i], 0.0);
+            }
+            turns[i] = first[i];
+            number *= fmax(last[i] - first[i] + 1.0, 0.0);
+        }
+        total += number;
+        for (double done = 0.0; done < number && used < capacity; done += 1.0) {
+            for (int i = 0; i < UR5_JOINTS; ++i) {
+                q[used][i] = moved(i, found.q[k][i], turns[i], low[i], high[i]);
+            }
+            marks[used] = found.marks[k];
+            ++used;
+            for (int i = UR5_JOINTS - 1; i >= 0; --i) {
+                if (turns[i] < last[i]) {
+                    turns[i] += 1.0;
+                    break;
+                }
+                turns[i] = first[i];
+            }
+        }
+    }
+    return total < INT_MAX ? (int)total : INT_MAX;
+}
+
+ur5_status ur5_nearest(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
+    const double weights[UR5_JOINTS], const double lower[UR5_JOINTS], const double upper[UR5_JOINTS],
+    double q[UR5_JOINTS])
+{
+    const double *low = lower == NULL ? ur5_lower : lower;
+    const double *high = upper == NULL ? ur5_upper : upper;
+    ur5_solutions found;
+    ur5_status status = UR5_UNREACHABLE;
+    double least = HUGE_VAL;
+    if (!all_intervals(low, high)) {
+        return UR5_BAD_LIMIT;
+    }
+    for (int i = 0; weights != NULL && i < UR5_JOINTS; ++i) {
+        if (!(weights[i] >= 0.0 && weights[i] < HUGE_VAL)) {
+            return UR5_BAD_WEIGHT;
+        }
+    }
+    if (ur5_solve(T, p, reference, &found) <= 0) {
+        return found.status;
+    }
+    for (int k = 0; k < found.count; ++k) {
+        double trial[UR5_JOINTS], cost = 0.0;
+        int fits = 1;
+        for (int i = 0; i < UR5_JOINTS; ++i) {
+            const double x = found.q[k][i], wanted = reference == NULL ? 0.0 : reference[i];
+            double first, last;
+            turns_of(i, x, low[i], high[i], &first, &last);
+            fits = fits && first <= last;
+            trial[i] = moved(i, x, fmin(fmax(ceil((wanted - x) / TURN - 0.5), first), last), low[i], high[i]);
+            cost += (weights == NULL ? 1.0 : weights[i]) * ((trial[i] - wanted) * (trial[i] - wanted));
+        }
+        if (fits && (status == UR5_UNREACHABLE || cost < least * (1.0 - 1e-9))) {
+            status = status_of(found.marks[k]);
+            least = cost;
+            for (int i = 0; i < UR5_JOINTS; ++i) {
+                q[i] = trial[i];
+            }
+        }
+    }
+    return status;
 }

@@ -40,9 +40,17 @@ extern "C" {
 #define UR5_JOINTS 6
 #define UR5_MAX_SOLUTIONS 8
 
-/* What ur5_ik returns instead of a number of solutions. */
-#define UR5_NOT_A_POSE (-1)
-#define UR5_BAD_PARAMETER (-2)
+/* What a call came to. Functions that return a number of solutions return a negative value instead of one. */
+typedef enum ur5_status {
+    UR5_UNREACHABLE = 0, /* no solution */
+    UR5_SOLVED = 1,
+    UR5_SINGULAR = 2, /* solved, with a joint that is free or on a border */
+    UR5_NOT_A_POSE = -1,
+    UR5_BAD_PARAMETER = -2,
+    UR5_BAD_REFERENCE = -3,
+    UR5_BAD_LIMIT = -4,
+    UR5_BAD_WEIGHT = -5
+} ur5_status;
 
 /* The parameters of the table. */
 typedef struct ur5_params {
@@ -63,6 +71,20 @@ void ur5_fk(const double q[UR5_JOINTS], const ur5_params *p, double T[16]);
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
 void ur5_jacobian(const double q[UR5_JOINTS], const ur5_params *p, double J[6 * UR5_JOINTS]);
 
+/*
+ * Singular poses:
+ *   s5 = 0: wrist singularity: axis 6 is parallel to axes 2, 3 and 4.
+ *   s3 = 0: elbow singularity: axes 2, 3 and 4 lie in one plane: the arm is stretched or folded.
+ *   a2*c2 + a3*c23 + d5*s234 = 0: shoulder singularity: the point where axes 5 and 6 meet lies in the plane
+ *     of axes 1 and 2.
+ * Families of solutions; a free joint takes its value in the reference:
+ *   theta5 = 0: theta234 is free; theta234 + theta6 and theta1 stay constant; theta2, theta3, theta4 and
+ *     theta6 follow.
+ *   theta5 = pi: theta234 is free; theta234 - theta6 and theta1 stay constant; theta2, theta3, theta4 and
+ *     theta6 follow.
+ *   p14_x^2 + p14_y^2 = 0: theta2 is free if two links have the same length and lie folded on each other.
+ */
+
 /* Inverse kinematics: every solution of the pose T, angles in (-pi, pi], a fixed order of branches.
  *
  * Returns the number of solutions, at most UR5_MAX_SOLUTIONS (q needs room for so many; rows beyond the
@@ -77,6 +99,72 @@ int ur5_ik(const double T[16], const ur5_params *p, double q[][UR5_JOINTS]);
  * reference that is NULL is all zeros. */
 int ur5_ik_near(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
     double q[][UR5_JOINTS]);
+
+/* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
+ * UR5_MAX_SOLUTIONS - 1,
+ * whatever branches have no solution. free and border: bit i stands for joint i; free joints take the value of the
+ * reference (several: their sum does), of border joints two solutions meet in this one. */
+typedef struct ur5_mark {
+    unsigned branch, free, border;
+} ur5_mark;
+
+/* The same; marks[i] belongs to q[i]. */
+int ur5_ik_marked(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
+    double q[][UR5_JOINTS], ur5_mark marks[]);
+
+/* The names of the branches by their number:
+ *  0: shoulder left, wrist flipped, elbow down
+ *  1: shoulder left, wrist flipped, elbow up
+ *  2: shoulder left, wrist not flipped, elbow down
+ *  3: shoulder left, wrist not flipped, elbow up
+ *  4: shoulder right, wrist flipped, elbow up
+ *  5: shoulder right, wrist flipped, elbow down
+ *  6: shoulder right, wrist not flipped, elbow up
+ *  7: shoulder right, wrist not flipped, elbow down
+ *  shoulder right: seen from axis 1 towards the point where axes 5 and 6 meet, axis 1 upward, axis 2 points
+ *    to the right.
+ *  wrist not flipped: about axis 5, axis 6 is less than half a turn ahead of axis 4.
+ *  elbow up: seen with axis 1 upward and the side of axis 1 that the arm reaches to on the right, axis 3
+ *    lies to the left of the way from axis 2 to axis 4, which is above it wherever it leads to the right.
+ */
+extern const char *const ur5_branches[UR5_MAX_SOLUTIONS];
+
+/* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
+extern const double ur5_lower[UR5_JOINTS], ur5_upper[UR5_JOINTS];
+
+/* The solutions of one pose in the order of branches, and what the call came to. */
+typedef struct ur5_solutions {
+    ur5_status status;
+    int count; /* 0 unless the status is UR5_SOLVED or UR5_SINGULAR */
+    double q[UR5_MAX_SOLUTIONS][UR5_JOINTS];
+    ur5_mark marks[UR5_MAX_SOLUTIONS];
+} ur5_solutions;
+
+/* ik_marked with a status, which is returned as well; UR5_BAD_REFERENCE if the reference is not finite. */
+ur5_status ur5_solve(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
+    ur5_solutions *out);
+
+/* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
+ * families above says. */
+unsigned ur5_family(unsigned free);
+
+/* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
+ * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
+ * fit; a length is never wound.
+ * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
+ * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
+ * UR5_BAD_LIMIT if limits are no interval. */
+int ur5_within(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
+    const double lower[UR5_JOINTS], const double upper[UR5_JOINTS], int capacity, double q[][UR5_JOINTS],
+    ur5_mark marks[]);
+
+/* The solution nearest to a reference: least is the sum of weights (NULL: 1) times squared differences, over all
+ * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
+ * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
+ * there is none. UR5_BAD_WEIGHT if a weight is negative or not finite. */
+ur5_status ur5_nearest(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
+    const double weights[UR5_JOINTS], const double lower[UR5_JOINTS], const double upper[UR5_JOINTS],
+    double q[UR5_JOINTS]);
 
 #ifdef __cplusplus
 }
