@@ -38,11 +38,11 @@ def hold_nearest(
     winding, free = judge.revolute & judge.kinematics.free, judge.kinematics.free
     references = q + np.where(free, rng.normal(0.0, SPREAD, q.shape), 0.0)
     weights = rng.uniform(0.1, 2.0, q.shape)
-    solutions, counts = target.inverse(poses, references)
     wrong = 0
     for row, reference in enumerate(references):
         answer = target.nearest(poses[row], reference, weights[row])
-        every = solutions[row, : counts[row]]
+        solutions, counts = target.inverse(poses[row : row + 1], references[row : row + 1])
+        every = solutions[0, : counts[0]]
         if answer is None or not len(every):
             wrong += (answer is None) != (not len(every))
             continue

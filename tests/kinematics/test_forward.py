@@ -16,7 +16,6 @@ from tests.kinematics.exact import home, identity, of_chain, of_tree, product, s
 SKEW = (
     "kinova_jaco",
     "nao_left_leg",
-    "raven_2",
     "skew_wrist",
     "skew_shoulder",
     "symbolic_pieper",

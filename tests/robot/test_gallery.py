@@ -50,7 +50,6 @@ JOINTS = {
     "planar_rrr_paul": "RRR",
     "planar_rrr_screw": "RRR",
     "puma560": "RRRRRR",
-    "raven_2": "RRPRRR",
     "rethink_sawyer": "RRRRRRR",
     "scara": "RRPR",
     "scorbot_5r": "RRRRR",
