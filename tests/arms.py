@@ -7,7 +7,8 @@ import types
 from functools import cache
 from typing import Any
 
-from kinsym.derivation import Derivation, derive
+from kinsym.derivation import Derivation
+from kinsym.deriving import derive
 from kinsym.emit import TARGETS
 from kinsym.emit.program import build_schedule
 from kinsym.robot import from_inline, load, lock, to_toml

@@ -13,7 +13,7 @@ from kinsym.check.compare import Findings, compare
 from kinsym.check.report import SUFFIX, steady
 from kinsym.check.reporting import report_of
 from kinsym.command.rendering import rendered
-from kinsym.derivation import derive
+from kinsym.deriving import derive
 from kinsym.emit.program import build_schedule
 from kinsym.robot import gallery, load
 from kinsym.write import write_set

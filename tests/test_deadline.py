@@ -10,7 +10,7 @@ import pytest
 
 from kinsym.cli import main
 from kinsym.deadline import Deadline
-from kinsym.derivation import derive
+from kinsym.deriving import derive
 from kinsym.errors import DeadlineExceeded, KinsymError, NoClosedForm
 from kinsym.robot import from_inline, load
 

@@ -20,8 +20,7 @@ from kinsym.check.solvers import Solver
 from kinsym.check.task import task_jacobian
 from kinsym.check.walk import AT_THE_ORIGIN
 from kinsym.emit.prose.singular import family_conditions
-from kinsym.emit.schedule import Schedule
-from kinsym.emit.singular import SingularPoses
+from kinsym.emit.schedule import Schedule, SingularPoses
 from kinsym.emit.text.formula import TextPrinter
 from kinsym.kinematics.singular import Condition
 from kinsym.robot.model import Task

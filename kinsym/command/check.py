@@ -33,7 +33,7 @@ def _check_one(path: Path, screen: Screen) -> int:
     from kinsym.check.compare import compare
     from kinsym.check.reporting import report_of
     from kinsym.command.rendering import rendered
-    from kinsym.derivation import derive
+    from kinsym.deriving import derive
     from kinsym.emit.program import build_schedule
 
     screen.stage(f"reading {path.name}")

@@ -15,7 +15,7 @@ def derive(options: argparse.Namespace, screen: Screen) -> int:
     """Derive, print, emit, check, write; 1 if a check failed, in which case the report says which."""
     from kinsym.check.reporting import report_of
     from kinsym.command.rendering import file_names, rendered
-    from kinsym.derivation import derive as derivation_of
+    from kinsym.deriving import derive as derivation_of
     from kinsym.emit.program import build_schedule
     from kinsym.emit.text import equations
 

@@ -9,7 +9,7 @@ from kinsym import __version__
 from kinsym.command.screen import Screen
 from kinsym.command.table import say_notes, snapping_from
 from kinsym.errors import OutputError, RobotError
-from kinsym.robot.files import URDF_SUFFIX, load
+from kinsym.robot.loading import URDF_SUFFIX, load
 from kinsym.robot.model import Robot
 from kinsym.robot.names import shown
 from kinsym.robot.summary import to_toml

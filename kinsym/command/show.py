@@ -10,7 +10,7 @@ from kinsym.command.table import robot_of, say_notes
 
 def show(options: argparse.Namespace, screen: Screen) -> int:
     """Derive and print; nothing is written."""
-    from kinsym.derivation import derive
+    from kinsym.deriving import derive
     from kinsym.emit.text import equations
 
     robot = robot_of(options)

@@ -8,7 +8,8 @@ from fractions import Fraction
 
 from kinsym.command.screen import Screen
 from kinsym.errors import KinsymError, RobotError
-from kinsym.robot.files import from_inline, load
+from kinsym.robot.files import from_inline
+from kinsym.robot.loading import load
 from kinsym.robot.locking import lock
 from kinsym.robot.model import Robot, Task
 from kinsym.robot.snapping import EXACT, ROUNDING, Snapping, snapping_of

@@ -8,15 +8,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from kinsym.algebra.tree import Tree
 from kinsym.general.plan import GeneralPlan
+from kinsym.inverse.families import Family
 from kinsym.inverse.plan import Definition, Step
+from kinsym.kinematics.singular import SingularSet
 from kinsym.robot.model import Task
-
-if TYPE_CHECKING:
-    from kinsym.emit.singular import SingularPoses
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -70,6 +68,15 @@ class JointName:
     name: str
     kind: str
     limits: tuple[Fraction, Fraction] | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class SingularPoses:
+    """The singular set, the families of solutions on it and the cosines and sines that both are written in."""
+
+    set: SingularSet
+    families: tuple[Family, ...]
+    angles: tuple[Definition, ...]
 
 
 @dataclass(frozen=True, kw_only=True)

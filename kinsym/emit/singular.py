@@ -3,25 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from kinsym.algebra.tree import Definition, Tree, symbols
+from kinsym.algebra.tree import Tree, symbols
+from kinsym.emit.schedule import SingularPoses
 from kinsym.emit.straight import angle_functions
-from kinsym.inverse.families import Family
-from kinsym.kinematics.singular import SingularSet
 
 if TYPE_CHECKING:
     from kinsym.derivation import Derivation
-
-
-@dataclass(frozen=True, kw_only=True)
-class SingularPoses:
-    """The singular set, the families of solutions on it and the cosines and sines that both are written in."""
-
-    set: SingularSet
-    families: tuple[Family, ...]
-    angles: tuple[Definition, ...]
 
 
 def singular_poses(derivation: Derivation) -> SingularPoses:

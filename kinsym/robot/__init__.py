@@ -13,7 +13,8 @@ from kinsym.robot.model import Convention, Home, Joint, Robot, Task
 if TYPE_CHECKING:
     from kinsym.robot.binding import bind
     from kinsym.robot.expressions import number, parse, symbol
-    from kinsym.robot.files import from_inline, load
+    from kinsym.robot.files import from_inline
+    from kinsym.robot.loading import load
     from kinsym.robot.locking import lock
     from kinsym.robot.nearby import nominal
     from kinsym.robot.summary import digest, table_lines, to_toml
@@ -44,7 +45,7 @@ _LAZY = {
     "bind": "kinsym.robot.binding",
     "digest": "kinsym.robot.summary",
     "from_inline": "kinsym.robot.files",
-    "load": "kinsym.robot.files",
+    "load": "kinsym.robot.loading",
     "lock": "kinsym.robot.locking",
     "nominal": "kinsym.robot.nearby",
     "number": "kinsym.robot.expressions",

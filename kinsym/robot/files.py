@@ -12,81 +12,24 @@ from collections.abc import Mapping
 from dataclasses import replace
 from decimal import Decimal, InvalidOperation
 from fractions import Fraction
-from pathlib import Path
 
 from kinsym.errors import RobotError
 from kinsym.robot.advice import advised
 from kinsym.robot.binding import bind, fold_zeros, used_parameters
-from kinsym.robot.catalogue import gallery, gallery_path
-from kinsym.robot.dh_text import rows_from_csv, rows_from_inline
+from kinsym.robot.dh_text import rows_from_inline
 from kinsym.robot.expressions import number
 from kinsym.robot.fixed import check_rigid, read_home, read_transform, table_under
 from kinsym.robot.locking import INPUT, lock
 from kinsym.robot.model import Change, Convention, Robot, Task
 from kinsym.robot.names import check_robot_name, nearest, shown
-from kinsym.robot.reading import read_text
 from kinsym.robot.rows import check_keys, read_rows
 from kinsym.robot.snapping import EXACT, ROUNDING, Snapping
 from kinsym.robot.special import special
 
 KEYS = ("name", "title", "convention", "task", "joints", "home", "parameters", "base", "tool", "locks", "source")
 LONGEST_LINE = 500
-URDF_SUFFIX = ".urdf"
 
 _NO_BINDINGS: Mapping[str, Fraction] = {}
-
-
-def load(
-    source: str,
-    *,
-    convention: str | None = None,
-    name: str | None = None,
-    bindings: Mapping[str, Fraction] = _NO_BINDINGS,
-    base_link: str | None = None,
-    tip_link: str | None = None,
-    snapping: Snapping = ROUNDING,
-) -> Robot:
-    """The robot of a gallery name or of a file (.toml, .csv, .urdf).
-
-    ``convention`` says how to read a CSV table and ``name`` replaces the robot's name. ``bindings`` are folded in
-    (:func:`kinsym.robot.bind`) before the file's own values count. ``base_link`` and ``tip_link`` pick the chain of
-    a URDF file (:func:`kinsym.robot.urdf.from_urdf`). ``snapping`` says which numbers are read as special values
-    (:mod:`kinsym.robot.snapping`). Raises RobotError.
-
-    >>> load("stanford_paul").variables
-    ('theta1', 'theta2', 'd3', 'theta4', 'theta5', 'theta6')
-    """
-    path = _find(source)
-    source = source if source.isprintable() else ascii(source)
-    if path.suffix.lower() == URDF_SUFFIX:
-        from kinsym.robot.urdf import from_urdf
-
-        if convention is not None:
-            raise RobotError("a URDF file has no convention", where=source, remedy="Leave out --convention.")
-        robot = from_urdf(path, base_link=base_link, tip_link=tip_link, name=name, snapping=snapping, shown_as=source)
-        return fold_zeros(bind(robot, bindings))
-    if base_link is not None or tip_link is not None:
-        raise RobotError(
-            "only a URDF file has links", where=source, remedy="Leave out --base-link and --tip-link, or name a .urdf."
-        )
-    text = read_text(path, shown_as=source)
-    if path.suffix.lower() == ".csv":
-        default = name if name is not None else path.stem
-        draft: dict[str, object] = {"name": default, "joints": rows_from_csv(text, where=source)}
-        draft["convention"] = _needed_convention(convention, source)
-    else:
-        draft = _toml(text, source)
-        if convention is not None and draft.get("convention", convention) != convention:
-            raise RobotError(
-                f"the file says {shown(str(draft['convention']))} and the option {shown(convention)}",
-                where=f"{source}, convention",
-                remedy="Leave out --convention.",
-            )
-        if convention is not None:
-            draft["convention"] = convention
-        if name is not None:
-            draft["name"] = name
-    return from_draft(draft, where=source, bindings=bindings, snapping=snapping)
 
 
 def from_inline(
@@ -107,7 +50,7 @@ def from_inline(
     """
     draft: dict[str, object] = {
         "name": "robot" if name is None else name,
-        "convention": _needed_convention(convention, "--dh"),
+        "convention": needed_convention(convention, "--dh"),
         "joints": rows_from_inline(text, where="--dh"),
     }
     return from_draft(draft, where="--dh", bindings=bindings, snapping=snapping)
@@ -176,27 +119,6 @@ _EXAMPLES = {
 }
 
 
-def _find(source: str) -> Path:
-    if source in gallery():
-        return gallery_path(source)
-    path = Path(source)
-    if path.suffix.lower() in {".toml", ".csv", URDF_SUFFIX}:
-        return path
-    if path.suffix.lower() == ".xacro":
-        raise RobotError(
-            "this is xacro, from which URDF is made", where=shown(source), remedy="Run: xacro FILE > robot.urdf."
-        )
-    if re.search(r"[/\\.]", source):
-        raise RobotError(
-            f"{shown(source)} is neither a robot of the gallery nor a .toml, .csv or .urdf file",
-            remedy="Name a file that ends in .toml, .csv or .urdf.",
-        )
-    raise RobotError(
-        f"the gallery has no robot {shown(source)}",
-        remedy=f"{nearest(source, gallery())}List the gallery with kinsym robots, or name a .toml, .csv or .urdf file.",
-    )
-
-
 def _decimal(text: str) -> Decimal:
     try:
         return Decimal(text)
@@ -204,7 +126,7 @@ def _decimal(text: str) -> Decimal:
         return Decimal("NaN")
 
 
-def _toml(text: str, where: str) -> dict[str, object]:
+def toml_draft(text: str, where: str) -> dict[str, object]:
     try:
         return tomllib.loads(text, parse_float=_decimal)
     except RecursionError:
@@ -230,7 +152,7 @@ def _line(draft: Mapping[str, object], key: str, where: str) -> str:
     return value.strip()
 
 
-def _needed_convention(convention: str | None, where: str) -> str:
+def needed_convention(convention: str | None, where: str) -> str:
     if convention is None:
         raise RobotError(
             "the convention of the table is missing", where=where, remedy="Add --convention paul or --convention craig."

@@ -20,7 +20,8 @@ import numpy as np
 
 from kinsym.check.compiler import FLAGS, compile_shared, find_compiler
 from kinsym.check.solvers import CSolver
-from kinsym.derivation import Derivation, derive
+from kinsym.derivation import Derivation
+from kinsym.deriving import derive
 from kinsym.emit import TARGETS
 from kinsym.emit.program import build_schedule
 from kinsym.general.arm import six_joints

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from kinsym.check.laws import CLOSURE, PATH, Judge
 from kinsym.check.task import closure
-from kinsym.derivation import derive
+from kinsym.deriving import derive
 from kinsym.emit.program import build_schedule
 from kinsym.errors import NoClosedForm
 from kinsym.robot import gallery, load

@@ -11,7 +11,7 @@ import pytest
 
 from kinsym.check.solvers import Solutions, Solver
 from kinsym.check.table import TableKinematics
-from kinsym.derivation import derive
+from kinsym.deriving import derive
 from kinsym.emit.program import build_schedule
 from kinsym.robot import from_inline, load, to_toml
 from kinsym.robot.model import Robot, Task

@@ -12,7 +12,8 @@ from kinsym.check.poses import PAIR, QUARTER, SINGULAR, UNIFORM, Counts, generat
 from kinsym.check.singular import volume_of
 from kinsym.check.solvers import Floats, TreeKinematics
 from kinsym.check.task import task_jacobian
-from kinsym.derivation import Derivation, derive
+from kinsym.derivation import Derivation
+from kinsym.deriving import derive
 from kinsym.emit.program import build_schedule
 from kinsym.robot import load
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from kinsym.derivation import derive
+from kinsym.deriving import derive
 from kinsym.inverse.branches import branches
 from kinsym.robot import from_inline
 from tests import arms

@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from kinsym.derivation import Derivation, derive
+from kinsym.derivation import Derivation
+from kinsym.deriving import derive
 from kinsym.emit.latex import document
 from kinsym.emit.text import equations
 from kinsym.robot import load

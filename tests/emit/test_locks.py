@@ -164,7 +164,7 @@ def test_compiles_without_a_warning(name: str, flags: tuple[str, ...], tmp_path:
 
 
 def test_two_inputs_are_swept_one_by_one_in_c_and_together_in_numpy() -> None:
-    from kinsym.derivation import derive
+    from kinsym.deriving import derive
     from kinsym.robot import from_inline, lock
     from tests.arms import IIWA_ON_A_RAIL
     from tests.emit.built import numpy_module as module_of

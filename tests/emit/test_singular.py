@@ -9,7 +9,7 @@ from functools import cache
 import pytest
 
 from kinsym.check.reporting import report_of
-from kinsym.derivation import derive
+from kinsym.deriving import derive
 from kinsym.emit import TARGETS
 from kinsym.emit.latex import document
 from kinsym.emit.program import build_schedule

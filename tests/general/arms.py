@@ -7,7 +7,8 @@ from types import ModuleType
 
 import numpy as np
 
-from kinsym.derivation import Derivation, derive
+from kinsym.derivation import Derivation
+from kinsym.deriving import derive
 from kinsym.emit.program import build_schedule
 from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.numpy_source import numpy_source

@@ -11,12 +11,13 @@ import pytest
 
 from kinsym.check.solvers import CSolver, ExactSolver
 from kinsym.deadline import Deadline
-from kinsym.derivation import Derivation, derive
+from kinsym.derivation import Derivation
+from kinsym.deriving import derive
+from kinsym.emit.calibrate import calibrated
 from kinsym.emit.latex.document import document
 from kinsym.emit.program import build_schedule
 from kinsym.emit.text.equations import equations
 from kinsym.errors import DeadlineExceeded, NoClosedForm
-from kinsym.general.calibrate import calibrated
 from kinsym.general.select import general_plan
 from kinsym.robot import from_inline, lock
 from kinsym.robot.model import Task

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from kinsym.derivation import derive
+from kinsym.deriving import derive
 from kinsym.emit.program import build_schedule
 from kinsym.general.arm import six_joints
 from kinsym.general.ranks import usable

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from kinsym.derivation import derive
+from kinsym.deriving import derive
 from kinsym.errors import NoClosedForm
 from kinsym.general.arm import six_joints
 from kinsym.general.plan import Cut

@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from kinsym.derivation import Derivation, derive
+from kinsym.derivation import Derivation
+from kinsym.deriving import derive
 from kinsym.emit import TARGETS
 from kinsym.emit.program import build_schedule
 from kinsym.errors import NoClosedForm, RobotError

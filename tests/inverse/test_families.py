@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from kinsym.algebra.tree import symbols
-from kinsym.derivation import derive
+from kinsym.deriving import derive
 from kinsym.emit.prose.singular import family_conditions
 from kinsym.emit.text.formula import TextPrinter
 from kinsym.inverse.families import Family

@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from kinsym.algebra.tree import Call, Definition
-from kinsym.derivation import derive
+from kinsym.deriving import derive
 from kinsym.emit.text import equations
 from kinsym.errors import NoClosedForm
 from kinsym.inverse.plan import Window

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from kinsym.algebra.tree import symbols
-from kinsym.derivation import derive
+from kinsym.deriving import derive
 from kinsym.errors import NoClosedForm
 from kinsym.inverse.plan import Definition, Plan, Step, Window
 from kinsym.inverse.search import derive_plan

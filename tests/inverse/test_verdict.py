@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from kinsym.deadline import Deadline
-from kinsym.derivation import derive
+from kinsym.deriving import derive
 from kinsym.errors import NoClosedForm
 from kinsym.inverse.verdict import Verdict
 from kinsym.robot import from_inline

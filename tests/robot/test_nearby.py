@@ -13,7 +13,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from kinsym.derivation import derive
+from kinsym.deriving import derive
 from kinsym.emit import TARGETS
 from kinsym.emit.program import build_schedule
 from kinsym.errors import RobotError

@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 from sympy import pi, sqrt
 
-from kinsym.derivation import derive
+from kinsym.deriving import derive
 from kinsym.errors import RobotError
 from kinsym.robot import from_inline, load, parse
 from kinsym.robot.geometry.arm import arm_of

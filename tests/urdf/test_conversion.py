@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from kinsym.check.table import TableKinematics
-from kinsym.derivation import derive
+from kinsym.deriving import derive
 from kinsym.robot import load, parse
 from kinsym.robot.model import Robot
 from kinsym.robot.snapping import EXACT, snapping_of

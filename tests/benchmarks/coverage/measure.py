@@ -24,7 +24,7 @@ from kinsym.check.laws import CLOSURE, PATH, Judge
 from kinsym.check.singular import volume_of, zeros
 from kinsym.check.solvers import CSolver, NumpySolver, Solver, TreeKinematics
 from kinsym.check.task import closure, sifted, task_jacobian
-from kinsym.derivation import derive
+from kinsym.deriving import derive
 from kinsym.emit import TARGETS
 from kinsym.emit.program import build_schedule
 from kinsym.emit.schedule import Schedule

@@ -1,8 +1,7 @@
 """Which usable cut loses the fewest digits: measured on seeded poses with the code that will be generated.
 
 Neither the condition of the equations nor that of the matrix at random angles predicts it, and a poor cut finds half
-of the solutions, so every cut solves the same poses. This is why the derivation, alone here, reaches ahead to the
-source that it leads to.
+of the solutions, so every cut solves the same poses.
 """
 
 from __future__ import annotations
