@@ -116,7 +116,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command; the exit status.
 
     >>> main(["robots"]) == 0  # doctest: +ELLIPSIS
-    cylindrical_rpp ...
+    abb_irb120 ...
     True
     """
     given = list(sys.argv[1:] if arguments is None else arguments)

@@ -130,7 +130,7 @@ def test_a_measured_arm_and_a_refused_one() -> None:
     assert total["poses"] == total["answered"] > 0
     assert total["wrong"] == total["copies"] == total["NaN"] == 0
     assert (refused.kind, refused.there) == ("refused", 0)
-    assert shortcomings([refused])[0].startswith("- redundant, seven: refused: no closed form")
+    assert shortcomings([refused])[0].startswith("- redundant, seven: refused: 7 joints are more than")
 
 
 def test_the_page_never_rounds_up_to_everything() -> None:

@@ -20,6 +20,7 @@ from kinsym.deriving import derive
 from kinsym.emit import TARGETS
 from kinsym.emit.program import build_schedule
 from kinsym.errors import NoClosedForm, RobotError
+from kinsym.inverse.search import derive_plan
 from kinsym.kinematics.chain import build_chain
 from kinsym.kinematics.convert import convert
 from kinsym.kinematics.tasks import fitting_task, rank, told
@@ -199,6 +200,6 @@ def test_nothing_is_claimed_for_an_arm_that_would_need_another_joint() -> None:
         return from_draft(tomllib.loads(text), where="tests", bindings={})
 
     with pytest.raises(NoClosedForm):
-        derive(arm(rows))
+        derive_plan(build_chain(arm(rows)), Task.POSE)
     rows[4] = 'type = "R", alpha = "pi/2", a = "0", d = "0", theta = "theta5"'
     assert derive(arm(rows)).plan.maximum == 8

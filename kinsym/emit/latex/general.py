@@ -76,7 +76,7 @@ def _sentence(text: str, names: Names) -> str:
     r"""A sentence with the mathematics in its braces.
 
     >>> _sentence("{R nu = P_1 mu} gives {nu} at 100 %", Names([]))
-    '$R \\nu = P_1 \\mu$ gives $\\nu$ at 100 \\%'
+    '$R \\nu = P_{1} \\mu$ gives $\\nu$ at 100 \\%'
     """
     parts = re.split(r"\{(.*?)\}", text)
     return "".join(f"${_formula(part, names)}$" if k % 2 else _spaced(part) for k, part in enumerate(parts))
