@@ -43,6 +43,7 @@ CLOSE_PATH = 1e-8
 PAIR_PATH = 3e-6
 #: At one in so many of the poses nearest to a singular one, rounding may lead one answer to a solution more.
 MORE_SOLUTIONS = 100
+AGREE_LIMIT = f"<= {SAME:g} or one double root; next to singular poses but for 1 in {MORE_SOLUTIONS}"
 
 TABLE_LIMIT = 1e-30
 SLOPE_LIMIT = 1e-8
@@ -229,7 +230,7 @@ class Examination:
         failed = int(np.where(uniform, ~same, ~sets & ~pair & ~close).sum())
         failed += max(0, odd - 1 - int(close.sum()) // MORE_SOLUTIONS)
         self.ledger.tally(f"{subject}: next to a singular pose, a solution more", odd)
-        self.ledger.count(AGREE_LAW, subject, len(which), failed, limit=f"<= {SAME:g} or one double root")
+        self.ledger.count(AGREE_LAW, subject, len(which), failed, limit=AGREE_LIMIT)
         self.ledger.tally(f"{subject}: at the edge of a tolerance band", int((~same & sets).sum()))
 
     def _regular_ones_agree(self, left: Solutions, right: Solutions, row: int, pose: Floats) -> bool:

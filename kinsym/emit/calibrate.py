@@ -103,7 +103,10 @@ def _poses(module: ModuleType, parameters: dict[str, float], count: int, seed: i
 
 
 def _module(schedule: Schedule) -> ModuleType:
-    """The generated module, run in memory."""
+    """The generated module, run in memory.
+
+    Nothing of the user's words is in it but names that :mod:`kinsym.robot.names` has let through.
+    """
     from kinsym.emit.source.numpy_source import numpy_source
 
     (text,) = numpy_source(replace(schedule, name="calibrated", title="", table=())).values()

@@ -43,11 +43,6 @@ def convert(robot: Robot, convention: Convention) -> Robot:
     )
 
 
-def paul_rows(chain: Chain) -> list[Row]:
-    """The rows of a chain in Paul's convention. Raises :class:`RobotError` where they cannot be written exactly."""
-    return _Writer(chain).rows()[0]
-
-
 @dataclass(frozen=True, kw_only=True)
 class Row:
     """One row of Paul's table; the joint variable is part of ``d`` or ``theta``."""
