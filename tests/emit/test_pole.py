@@ -8,9 +8,7 @@ import pytest
 
 from kinsym.check.evaluate import exact
 from kinsym.check.kernels import KERNELS
-from tests.emit.test_kernels import Kernel, T, kernel
-
-__all__ = ["kernel"]
+from tests.emit.kernel_calls import Kernel, T
 
 CTX, _ = exact()
 TWIST = math.radians(60.0)

@@ -10,7 +10,7 @@ import pytest
 
 from kinsym.emit.source.kernels import KERNELS
 from tests.emit.built import needs_compiler
-from tests.emit.test_kernels import FREE, Roots, T, exactly, in_c, in_numpy
+from tests.emit.kernel_calls import FREE, Roots, T, exactly, in_c, in_numpy
 
 NAMES = KERNELS["quartic"].inputs[:12]
 ONE, COSINE, SINE = (0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
