@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
-from kinsym.methods import euler, pieper
+from kinsym.methods import euler, pieper, screws, screws_inverse
 from kinsym.methods.document import MethodDerivation
 from kinsym.robot.model import Robot
 
@@ -24,11 +24,15 @@ METHODS: Mapping[str, Method] = MappingProxyType(
     {
         pieper.NAME: pieper.pieper,
         euler.NAME: euler.zyz,
+        screws.NAME: screws.screws,
+        screws_inverse.NAME: screws_inverse.screws_inverse,
     }
 )
 """Every method by its name on the command line."""
 
-TITLES: Mapping[str, str] = MappingProxyType({module.NAME: module.TITLE for module in (pieper, euler)})
+TITLES: Mapping[str, str] = MappingProxyType(
+    {module.NAME: module.TITLE for module in (pieper, euler, screws, screws_inverse)}
+)
 """What the lecture calls each of them."""
 
 __all__ = ["METHODS", "TITLES", "Method", "MethodDerivation"]

@@ -64,10 +64,13 @@ class Sentence:
 
 @dataclass(frozen=True, kw_only=True)
 class Solution:
-    """One unknown: the equation that gives it, how many values it has, and what must hold for that."""
+    """One unknown: the equations that give its values, how many there are, and what must hold for that.
+
+    An equation with a sign ± or a root of a polynomial gives several values.
+    """
 
     unknown: str
-    equation: Equation
+    equations: tuple[Equation, ...]
     branches: int
     conditions: tuple[Equation, ...] = ()
 

@@ -67,9 +67,13 @@ class Draft:
 
     def state(self, name: str, left: Side, right: Side) -> Equation:
         """An equation that holds for the robot; proved."""
+        self.check(name, left, right)
+        return self._equation(name, left, right, "=")
+
+    def check(self, name: str, left: Side, right: Side) -> None:
+        """Prove an equation without printing it."""
         if not all(witness.holds(left, right) for witness in self.witnesses):
             raise ProofFailed(f"{self.chain.robot.name}, {self._method}: {name} does not hold: {left} = {right}")
-        return self._equation(name, left, right, "=")
 
     def define(self, symbol: str, value: Tree, *, name: str = "") -> Sym:
         """A new quantity by its formula."""
@@ -112,12 +116,14 @@ class Draft:
         return equation
 
     def solve(
-        self, unknown: str, right: Tree, *, branches: int, conditions: Sequence[Equation] = (), name: str = ""
+        self, unknown: str, right: Tree, *, branches: int, conditions: Sequence[Equation] = (), also: Tree | None = None
     ) -> None:
-        """An unknown by its formula; proved to have the joint's value among its own."""
-        equation = self.state(name or unknown, Sym(unknown), right)
+        """An unknown by its formula, and by another if it has two; proved to have the joint's value among its own."""
+        equations = [self.state(unknown, Sym(unknown), right)]
+        if also is not None:
+            equations.append(self.state(f"{unknown}.other", Sym(unknown), also))
         self._solutions.append(
-            Solution(unknown=unknown, equation=equation, branches=branches, conditions=tuple(conditions))
+            Solution(unknown=unknown, equations=tuple(equations), branches=branches, conditions=tuple(conditions))
         )
 
     def vanishes(self, tree: Tree) -> bool:

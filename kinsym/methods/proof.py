@@ -98,6 +98,8 @@ class Witness:
                 return _roots(self.values(inner)) if function == "sqrt" else _either(self.values(inner))
             case Call("cos" | "sin" as function, (angle,)):
                 return frozenset(point[function == "sin"] for point in self.directions(angle))
+            case Call("v", (angle,)):
+                return frozenset((1 - c) % PRIME for c, _ in self.directions(angle))
             case Call("tan", (Quot(angle, Num(Fraction(numerator=2, denominator=1))),)):
                 return frozenset(s * inverse(1 + c) % PRIME for c, s in self.directions(angle))
             case _:

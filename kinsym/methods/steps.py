@@ -132,8 +132,7 @@ def one_row(draft: Draft, ring: Ring, angle: AngleOf, row: Row) -> None:
             draft.solve(angle.name, PlusMinus(None, Call("acos", (value,))), branches=2, conditions=(limit,))
         else:
             first = Call("asin", (value,))
-            draft.solve(angle.name, first, branches=2, conditions=(limit,))
-            draft.state(f"{angle.name}.other", Sym(angle.name), sub(Pi(), first))
+            draft.solve(angle.name, first, branches=2, conditions=(limit,), also=sub(Pi(), first))
     else:
         radius = sum_of_squares(a, b)
         root = Call("sqrt", (sub(radius, sum_of_squares(row.e)),))
@@ -146,8 +145,8 @@ def _homogeneous(draft: Draft, angle: AngleOf, a: Tree, b: Tree) -> None:
     """``a c + b s = 0``: two angles that differ by half a turn."""
     y, x = (a, opposite(b)) if not negative(a) else (opposite(a), b)
     free = draft.require(f"{angle.name}.unique", sum_of_squares(x, y), "!=", ZERO)
-    draft.solve(angle.name, Call("atan2", (y, x)), branches=2, conditions=(free,))
-    draft.state(f"{angle.name}.other", Sym(angle.name), Call("atan2", (opposite(y), opposite(x))))
+    second = Call("atan2", (opposite(y), opposite(x)))
+    draft.solve(angle.name, Call("atan2", (y, x)), branches=2, conditions=(free,), also=second)
 
 
 def two_rows(draft: Draft, ring: Ring, angle: AngleOf, first: Row, second: Row, *, determinant: str = "") -> None:

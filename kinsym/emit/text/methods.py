@@ -113,5 +113,6 @@ def _solutions(derivation: MethodDerivation, page: Page) -> str:
     rows = [("unknown", "equation", "values at most", "if")]
     for solution in derivation.solutions:
         conditions = ", ".join(f"({condition.number})" for condition in solution.conditions)
-        rows.append((solution.unknown, f"({solution.equation.number})", str(solution.branches), conditions))
+        equations = ", ".join(f"({equation.number})" for equation in solution.equations)
+        rows.append((solution.unknown, equations, str(solution.branches), conditions))
     return f"Solutions\n---------\n{page.columns(rows)}"
