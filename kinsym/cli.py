@@ -16,6 +16,14 @@ from kinsym.errors import KinsymError
 TASKS = ("pose", "position", "orientation", "planar", "scara", "position_axis")
 CONVENTIONS = ("paul", "craig", "screw")
 METHODS = (
+    "loop_closure",
+    "craig",
+    "paul",
+    "screws",
+    "screws_inverse",
+    "algebraic",
+    "geometric",
+    "half_angle",
     "pieper",
     "zyz",
 )

@@ -14,25 +14,34 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
-from kinsym.methods import euler, pieper, screws, screws_inverse
+from kinsym.methods.algebraic import algebraic
+from kinsym.methods.denavit import craig, paul
 from kinsym.methods.document import MethodDerivation
+from kinsym.methods.euler import zyz
+from kinsym.methods.geometric import geometric
+from kinsym.methods.half_angle import reduction
+from kinsym.methods.loop_closure import loop_closure
+from kinsym.methods.pieper import pieper
+from kinsym.methods.screws import screws
+from kinsym.methods.screws_inverse import screws_inverse
 from kinsym.robot.model import Robot
 
 Method = Callable[[Robot], MethodDerivation]
 
 METHODS: Mapping[str, Method] = MappingProxyType(
     {
-        pieper.NAME: pieper.pieper,
-        euler.NAME: euler.zyz,
-        screws.NAME: screws.screws,
-        screws_inverse.NAME: screws_inverse.screws_inverse,
+        "loop_closure": loop_closure,
+        "craig": craig,
+        "paul": paul,
+        "screws": screws,
+        "screws_inverse": screws_inverse,
+        "algebraic": algebraic,
+        "geometric": geometric,
+        "half_angle": reduction,
+        "pieper": pieper,
+        "zyz": zyz,
     }
 )
-"""Every method by its name on the command line."""
+"""Every method by its name on the command line, in the order of the lecture."""
 
-TITLES: Mapping[str, str] = MappingProxyType(
-    {module.NAME: module.TITLE for module in (pieper, euler, screws, screws_inverse)}
-)
-"""What the lecture calls each of them."""
-
-__all__ = ["METHODS", "TITLES", "Method", "MethodDerivation"]
+__all__ = ["METHODS", "Method", "MethodDerivation"]

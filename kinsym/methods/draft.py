@@ -46,6 +46,11 @@ class Draft:
             conditions=tuple(self._conditions),
         )
 
+    @property
+    def solutions(self) -> tuple[Solution, ...]:
+        """The unknowns solved so far."""
+        return tuple(self._solutions)
+
     def fresh(self, name: str) -> str:
         """A name for a new quantity: the one wanted, or the next that neither table nor derivation uses."""
         while name in self._taken:

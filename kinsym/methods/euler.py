@@ -84,8 +84,7 @@ def zyz(robot: Robot) -> MethodDerivation:
     Raises :class:`DoesNotApply` where axes do not meet, or neighbours are not at right angles.
     """
     robot = unlocked(robot)
-    if [joint.kind for joint in robot.moving] != ["R"] * 3:
-        needs_wrist(robot, TITLE)
+    needs_wrist(robot, TITLE, alone=True)
     chain = build_chain(craig_table(robot))
     draft = Draft(chain, method=NAME, title=TITLE)
     if not state_wrist_of(draft):
@@ -101,6 +100,12 @@ def state_wrist_of(draft: Draft) -> bool:
     label = f"R_{first}_{last}"
     before = f"R_0_{first}"
     whole = f"R_0_{last}"
+    for i in (first, first + 1):
+        if chain.joints[i].after.rotation[2][2] in (ring.one, -ring.one):
+            raise DoesNotApply(
+                f"{TITLE} does not apply to {chain.robot.name}: axes {chain.numbers[i]} and {chain.numbers[i + 1]} are "
+                f"parallel."
+            )
     wrist = _rotation(chain, first, last)
     fit = fitted(ring, wrist, [own_angle(chain, joint.variable) for joint in chain.joints[first:]])
     draft.say(

@@ -35,14 +35,24 @@ def screws_inverse(robot: Robot) -> MethodDerivation:
     columns = COLUMNS[robot.task or fitting_task(whole, whole)]
     wrist = wrist_of(table, columns)
     draft = Draft(wrist.arm.chain, method=NAME, title=TITLE)
-    _Work(draft, wrist, columns).solve()
+    work = ScrewWork(draft, wrist, columns)
+    work.begin()
+    work.solve_position()
+    work.solve_orientation()
+    if work.solver.unknown:
+        raise DoesNotApply(
+            f"the lecture's inverse by successive screws does not solve {robot.name}: the equations of p, w and u "
+            f"leave {', '.join(work.solver.unknown)}, none of which stands alone in one of them."
+        )
     return draft.done()
 
 
-class _Work:
-    """The equations of one arm, printed when they are first used."""
+class ScrewWork:
+    """The equations of one arm, printed when they are first used; ``matrices`` tells whether products are printed."""
 
-    def __init__(self, draft: Draft, wrist: Wrist, given: str) -> None:
+    def __init__(self, draft: Draft, wrist: Wrist, given: str, *, matrices: bool = True) -> None:
+        self.matrices = matrices
+        self.solver = Solver(draft, self._introduce, Knowledge(wrist.arm.chain))
         self.draft, self.wrist, self.arm = draft, wrist, wrist.arm
         self.ring: Ring = draft.ring
         self.count = len(self.arm.chain.joints)
@@ -55,26 +65,22 @@ class _Work:
         self.columns = sorted(columns, key=lambda column: (not self._along_last(column), "wuv".index(column)))
         self.named: dict[tuple[str, int], tuple[Sym, ...]] = {}
 
-    def solve(self) -> None:
-        """P first, then the column along the last axis, then the others."""
-        self._begin()
-        solver = Solver(self.draft, self._introduce, Knowledge(self.arm.chain))
+    def solve_position(self) -> None:
+        """What the point p gives."""
         starts = [start for start in self.arm.starts if start < self.moving]
         points = [statement for start in starts for statement in self._rows("p", start, self.moving)]
         if self.wrist.fixed == 3:
-            solver.print_family("p.0")
+            self.solver.print_family("p.0")
         squared = self.ring.dot(*[self._column("p")] * 2)
         moved = self.ring.reduce(sum((part * part for part in self._image("p", 0, self.moving)), self.ring.zero))
-        solver.solve([*points[:3], Statement("square", squared, moved), *points[3:]])
+        self.solver.solve([*points[:3], Statement("square", squared, moved), *points[3:]])
+
+    def solve_orientation(self) -> None:
+        """The column along the last axis, then the others."""
         for column in self.columns:
             stop = self._stop(column)
             for starts in self._cuts(column, stop):
-                solver.solve(statement for start in starts for statement in self._rows(column, start, stop))
-        if solver.unknown:
-            raise DoesNotApply(
-                f"the lecture's inverse by successive screws does not solve {self.arm.chain.robot.name}: the equations "
-                f"of P, w and u leave {', '.join(solver.unknown)}, each with another unknown."
-            )
+                self.solver.solve(statement for start in starts for statement in self._rows(column, start, stop))
 
     def _cuts(self, column: str, stop: int) -> tuple[list[int], list[int]]:
         """Behind which joints a column is looked at: first as in the lecture, then anywhere else.
@@ -131,7 +137,7 @@ class _Work:
             return [Statement(family, x, y, name) for x, y, name in zip(left, right, names, strict=True)]
         return [Statement(family, x, y) for x, y in zip(left, right, strict=True)]
 
-    def _begin(self) -> None:
+    def begin(self) -> None:
         """The wrist point from the pose of the end effector, and as the displacements move it."""
         draft, wrist = self.draft, self.wrist
         names = [draft.fresh(f"q_{row}") for row in ROWS]
@@ -161,6 +167,8 @@ class _Work:
                 if part:
                     terms.append(opposite(draft.tree(part * self.ring[f"{column}_{row}"])))
             draft.state(f"p_{row}", Sym(f"p_{row}"), add(*terms))
+        if not self.matrices:
+            return
         draft.state("p0", Product((Factor("p0"),)), Matrix(point))
         draft.state("p", Product((Factor("p"),)), Product((*self._factors("A", 0, self.moving), Factor("p0"))))
 
@@ -182,11 +190,14 @@ class _Work:
         taken = tuple(Factor(f"{letter}{i}", mark) for i in range(start, 0, -1))
         left = Product((*taken, Factor(column)))
         right = Product((*self._factors(letter, start, stop), Factor(f"{column}0")))
-        if start or column != "p":
+        if not self.matrices:
+            behind = f"behind joint{'s 1 to' * (start > 1)} {start}" if start else "from the base"
+            draft.say(f"`{column}` seen {behind}:")
+        elif start or column != "p":
             what = "of p" if column == "p" else f"of {column}"
             draft.say(f"The equation {what} with displacements taken over to the left:" if start else f"That {what}:")
             draft.state(f"{column}.loop.{start}", left, right)
-        if column == "p" and stop - start > 1:
+        if self.matrices and column == "p" and stop - start > 1:
             state_product(draft, self.arm, start, stop)
         names = self.named.get((column, start))
         cut = start if column == "p" else self._start(start)

@@ -43,6 +43,7 @@ class Solver:
     draft: Draft
     introduce: Callable[[str], None]
     known: Knowledge
+    links: Callable[[Draft, TwoLinks, tuple[Tree, Tree]], None] = solve_two_links
     statements: list[Statement] = field(default_factory=list)
     _printed: set[str] = field(default_factory=set)
 
@@ -263,7 +264,7 @@ class Solver:
         for index, (statement, rest) in enumerate(zip(statements, rests, strict=True), start=1):
             side = self._known_side(statement, rest, flip if index == 2 else 1)
             known.append(side if isinstance(side, Sym) else draft.define(draft.fresh(f"k{index}"), side))
-        solve_two_links(draft, links, (known[0], known[1]))
+        self.links(draft, links, (known[0], known[1]))
         chain = draft.chain
         for name in (links.between.name, links.x.name):
             angle = next(a for a in chain.angles.values() if a.name == name and a.cosine[1:] == a.label)

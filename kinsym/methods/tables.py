@@ -42,10 +42,13 @@ def craig_table(robot: Robot) -> Robot:
     return replace(robot, convention=Convention.CRAIG, joints=tuple(joints))
 
 
-def needs_wrist(robot: Robot, method: str) -> None:
-    """Raise :class:`DoesNotApply` unless the arm has six joints of which the last three turn about one point."""
+def needs_wrist(robot: Robot, method: str, *, alone: bool = False) -> None:
+    """Raise :class:`DoesNotApply` unless the last three of six joints turn about one point.
+
+    With ``alone`` three joints may be a wrist without an arm.
+    """
     kinds = [joint.kind for joint in robot.moving]
-    if len(kinds) != 6:
+    if len(kinds) != 6 and not (alone and kinds == ["R"] * 3):
         count = f"{len(kinds)} joint{'s' * (len(kinds) != 1)}"
         raise DoesNotApply(f"{method} does not apply to {robot.name}: it needs six joints, this arm has {count}.")
     sliding = [str(number) for number, kind in enumerate(kinds, start=1) if kind == "P" and number > 3]
@@ -54,8 +57,9 @@ def needs_wrist(robot: Robot, method: str) -> None:
             f"{method} does not apply to {robot.name}: the last three joints must turn, joint {sliding[0]} slides."
         )
     table = paul_table(build_chain(robot))
-    lacking = [] if table is None else [c for c in changes(table, range(1, 7)) if c.effect == MEET]
-    wrist = next((change for change in lacking if change.axes == (4, 5, 6)), None)
+    count = len(kinds)
+    lacking = [] if table is None else [c for c in changes(table, range(1, count + 1)) if c.effect == MEET]
+    wrist = next((change for change in lacking if change.axes == (count - 2, count - 1, count)), None)
     if wrist is None:
         return
     reason = ", ".join(map(str, wrist.misses))
