@@ -20,6 +20,8 @@ METHODS = (
     "craig",
     "paul",
     "screws",
+    "frames",
+    "workspace",
     "screws_inverse",
     "algebraic",
     "geometric",

@@ -18,10 +18,12 @@ from kinsym.methods.algebraic import algebraic
 from kinsym.methods.denavit import craig, paul
 from kinsym.methods.document import MethodDerivation
 from kinsym.methods.euler import zyz
+from kinsym.methods.frame_loop import frames
 from kinsym.methods.geometric import geometric
 from kinsym.methods.half_angle import reduction
 from kinsym.methods.loop_closure import loop_closure
 from kinsym.methods.pieper import pieper
+from kinsym.methods.planar_workspace import workspace
 from kinsym.methods.screws import screws
 from kinsym.methods.screws_inverse import screws_inverse
 from kinsym.robot.model import Robot
@@ -34,6 +36,8 @@ METHODS: Mapping[str, Method] = MappingProxyType(
         "craig": craig,
         "paul": paul,
         "screws": screws,
+        "frames": frames,
+        "workspace": workspace,
         "screws_inverse": screws_inverse,
         "algebraic": algebraic,
         "geometric": geometric,

@@ -22,6 +22,8 @@ from kinsym.methods.two_links import TwoLinks, solve_two_links
 from kinsym.robot.model import Robot
 
 NAME, TITLE = "algebraic", "Algebraic solution"
+POINTS = 24
+"""More points than usual: those at which a root of the plan is not in the field are given up."""
 
 
 def algebraic(robot: Robot) -> MethodDerivation:
@@ -35,7 +37,7 @@ def algebraic(robot: Robot) -> MethodDerivation:
         arm = planar_arm(robot, TITLE)
         if is_straight(arm):
             return _planar(arm)
-    draft = Draft(chain, method=NAME, title=TITLE)
+    draft = Draft(chain, method=NAME, title=TITLE, points=POINTS)
     state_plan(draft, derive_plan(chain, robot.task or fitting_task(chain, chain), NO_LIMIT))
     return draft.done()
 

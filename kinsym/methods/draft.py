@@ -6,7 +6,7 @@ A name that the robot's table uses already is not taken for something else: ``fr
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 from kinsym.algebra.field import PRIME
 from kinsym.algebra.nested import nested
@@ -24,7 +24,7 @@ POINTS = 2
 class Draft:
     """Sentences and equations about one chain, in the order in which they are stated."""
 
-    def __init__(self, chain: Chain, *, method: str, title: str) -> None:
+    def __init__(self, chain: Chain, *, method: str, title: str, points: int = POINTS) -> None:
         self.chain, self.ring = chain, chain.ring
         self._method, self._title = method, title
         self._passages: list[Passage] = []
@@ -33,7 +33,7 @@ class Draft:
         self._names: set[str] = set()
         self._taken = {*chain.robot.parameters, *chain.robot.variables, *(g.name for g in chain.ring.generators)}
         generator = random.Random("methods")
-        self.witnesses = tuple(_witness(chain, generator) for _ in range(POINTS))
+        self.witnesses = tuple(_witness(chain, generator) for _ in range(points))
 
     def done(self) -> MethodDerivation:
         """What has been stated."""
@@ -58,6 +58,13 @@ class Draft:
         self._taken.add(name)
         return name
 
+    def has_stated(self, left: Side, right: Side) -> bool:
+        """Whether an equation has been printed already."""
+        return any(
+            isinstance(passage, Equation) and (passage.left, passage.right) == (left, right)
+            for passage in self._passages
+        )
+
     def say(self, text: str) -> None:
         """A sentence, which may refer to equations already stated as ``{name}``."""
         self._passages.append(Sentence(text))
@@ -81,11 +88,32 @@ class Draft:
             raise ProofFailed(f"{self.chain.robot.name}, {self._method}: {name} does not hold: {left} = {right}")
 
     def define(self, symbol: str, value: Tree, *, name: str = "") -> Sym:
-        """A new quantity by its formula."""
+        """A new quantity by its formula, roots that it takes being the positive ones.
+
+        The field knows no signs: either root will do, and a point at which there is none is given up.
+        """
+        kept = []
         for witness in self.witnesses:
-            witness.numbers[symbol] = witness.value(value)
+            values = witness.values(value)
+            if values:
+                witness.numbers[symbol] = min(values)
+                kept.append(witness)
+        if not kept:
+            raise ProofFailed(f"{symbol} has no value at any point: {value}")
+        self.witnesses = tuple(kept)
         self._equation(name or symbol, Sym(symbol), value, "=")
         return Sym(symbol)
+
+    def choose(self, symbol: str, value: Tree, fits: Callable[[Witness], bool], *, name: str) -> None:
+        """A quantity whose formula leaves a sign open: at each point the value that fits the joints."""
+        for witness in self.witnesses:
+            for candidate in sorted(witness.values(value)):
+                witness.numbers[symbol] = candidate
+                if fits(witness):
+                    break
+            else:
+                raise ProofFailed(f"no value of {symbol} fits the joints: {value}")
+        self._equation(name, Sym(symbol), value, "=")
 
     def define_angle(self, symbol: str, value: Tree) -> Sym:
         """A new angle by its formula."""

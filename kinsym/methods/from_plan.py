@@ -6,11 +6,14 @@ formulas are evaluated once more, from the chain's forward kinematics on.
 
 from __future__ import annotations
 
-from kinsym.algebra.tree import Call, Definition, Quot, Sym, Tree
+from collections.abc import Callable
+
+from kinsym.algebra.tree import Call, Definition, Quot, Sym, Tree, symbols
 from kinsym.inverse.plan import Plan, Step, Window
 from kinsym.inverse.rules import TITLES
 from kinsym.methods.document import Equation
 from kinsym.methods.draft import Draft
+from kinsym.methods.proof import Witness
 from kinsym.methods.steps import TWO
 
 
@@ -36,7 +39,7 @@ def _define(draft: Draft, definition: Definition) -> None:
     """A definition; one of an angle that the joints have already is its solution, and printed there."""
     if definition.name in draft.witnesses[0].angles:
         draft.check(definition.name, Sym(definition.name), definition.value)
-    else:
+    elif not draft.has_stated(Sym(definition.name), definition.value):
         draft.define(definition.name, definition.value)
 
 
@@ -46,9 +49,21 @@ def _state_step(draft: Draft, step: Step) -> None:
               f"Step {step.number}, `{step.unknown}` by {rule}.")  # fmt: skip
     place = f"step{step.number}"
     for number, part in enumerate(step.equations, start=1):
-        draft.state(f"{place}.equation{number}", part.lhs, part.rhs)
+        if not draft.has_stated(part.lhs, part.rhs):
+            draft.state(f"{place}.equation{number}", part.lhs, part.rhs)
     for definition in step.coefficients:
         draft.define(definition.name, definition.value)
+    own = [value for name, value in step.solution if name == step.unknown]
+    rest = [(name, value) for name, value in step.solution if name != step.unknown]
+    for number, (name, value) in enumerate(rest, start=1):
+        _give_tangent(draft, step, value)
+        label = f"{place}.{name if name != '0' else f'sum{number}'}"
+        if name == "0":
+            draft.state(label, draft.tree(draft.ring.zero), value)
+        elif name in draft.witnesses[0].numbers:
+            draft.state(label, Sym(name), value)
+        else:
+            draft.choose(name, value, _fits(rest[number:]), name=label)
     conditions: list[Equation] = []
     if step.condition is not None:
         left, sign, right = step.condition
@@ -56,15 +71,22 @@ def _state_step(draft: Draft, step: Step) -> None:
     if step.degenerate is not None:
         left, _, right = step.degenerate
         conditions.append(draft.require(f"{place}.unique", left, "!=", right))
-    own = [value for name, value in step.solution if name == step.unknown]
-    rest = [(name, value) for name, value in step.solution if name != step.unknown]
-    for number, (name, value) in enumerate(rest, start=1):
-        _give_tangent(draft, step, value)
-        left = draft.tree(draft.ring.zero) if name == "0" else Sym(name)
-        draft.state(f"{place}.{name if name != '0' else f'sum{number}'}", left, value)
     if own:
         also = own[1] if len(own) > 1 else None
         draft.solve(step.unknown, own[0], branches=step.branches, conditions=conditions, also=also)
+
+
+def _fits(lines: list[tuple[str, Tree]]) -> Callable[[Witness], bool]:
+    """Whether the lines that follow a choice hold, as far as all their names have values."""
+
+    def fits(witness: Witness) -> bool:
+        return all(
+            witness.numbers[name] in witness.values(value)
+            for name, value in lines
+            if name in witness.numbers and set(symbols(value)) <= set(witness.numbers)
+        )
+
+    return fits
 
 
 def _give_tangent(draft: Draft, step: Step, value: Tree) -> None:

@@ -6,7 +6,9 @@ Pieper's two equations in two angles, which become a polynomial of degree four (
 
 from __future__ import annotations
 
-from kinsym.algebra.tree import Tree
+from sympy import Integer
+
+from kinsym.algebra.tree import Sym, Tree
 from kinsym.errors import DoesNotApply
 from kinsym.inverse.plan import Definition, Plan, Step, Window
 from kinsym.inverse.search import derive_plan
@@ -15,9 +17,10 @@ from kinsym.kinematics.chain import build_chain
 from kinsym.kinematics.tasks import fitting_task
 from kinsym.methods.document import MethodDerivation
 from kinsym.methods.draft import Draft
-from kinsym.methods.steps import AngleOf, half_angle
+from kinsym.methods.steps import AngleOf, Written, half_angle
 from kinsym.methods.tables import unlocked
-from kinsym.robot.model import Robot
+from kinsym.robot.expressions import symbol
+from kinsym.robot.model import Convention, Joint, Robot
 
 NAME, TITLE = "half_angle", "Reduction to a polynomial"
 RULES = ("linear", "linear_pole")
@@ -37,6 +40,25 @@ def reduction(robot: Robot) -> MethodDerivation:
         )
     draft = Draft(chain, method=NAME, title=TITLE)
     _state(draft, plan)
+    return draft.done()
+
+
+def general() -> MethodDerivation:
+    """The reduction of ``a cos(theta) + b sin(theta) = c``, as the lecture prints it.
+
+    It is proved of a link that turns with its end at (a, -b), whose x coordinate is c.
+    """
+    zero, one = Integer(0), Integer(1)
+    a, b = symbol("a"), symbol("b")
+    joint = Joint(kind="R", variable="theta", alpha=zero, a=a, d=zero, theta=symbol("theta"))
+    tool = ((one, zero, zero, zero), (zero, one, zero, -b), (zero, zero, one, zero), (zero, zero, zero, one))
+    parameters = {"a": None, "b": None}
+    link = Robot(name="link", title="", convention=Convention.PAUL, joints=(joint,), parameters=parameters, tool=tool)
+    chain = build_chain(link)
+    draft = Draft(chain, method=NAME, title=TITLE)
+    right = draft.give("c", chain.ring["p_x"])
+    angle = chain.angles[0, 0, 1]
+    half_angle(draft, Written(angle.name, angle.cosine, angle.sine), Sym("a"), Sym("b"), right)
     return draft.done()
 
 

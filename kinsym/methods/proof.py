@@ -52,7 +52,7 @@ class Witness:
                 parts = [self._factor(factor) for factor in factors]
                 total = parts[-1]
                 for part in reversed(parts[:-1]):
-                    total = _times(part, total)
+                    total = multiplied(part, total)
                 return total
             case _:
                 raise ProofFailed("a matrix is said to equal a number")
@@ -181,7 +181,8 @@ def _multiple(point: Point, count: int) -> Point:
     return _added([(x, y if count > 0 else -y)] * abs(count))
 
 
-def _times(left: Rows, right: Rows) -> Rows:
+def multiplied(left: Rows, right: Rows) -> Rows:
+    """The product of two matrices in numbers."""
     columns = list(zip(*right, strict=True))
     return [[sum(a * b for a, b in zip(row, column, strict=True)) % PRIME for column in columns] for row in left]
 

@@ -49,14 +49,28 @@ class AngleOf:
         return self.cosine[1:]
 
     @property
-    def c(self) -> Sym:
+    def c(self) -> Tree:
         """The cosine."""
         return Sym(self.cosine)
 
     @property
-    def s(self) -> Sym:
+    def s(self) -> Tree:
         """The sine."""
         return Sym(self.sine)
+
+
+class Written(AngleOf):
+    """An angle whose cosine and sine are written out: cos(theta)."""
+
+    @property
+    def c(self) -> Tree:
+        """The cosine."""
+        return Call("cos", (Sym(self.name),))
+
+    @property
+    def s(self) -> Tree:
+        """The sine."""
+        return Call("sin", (Sym(self.name),))
 
 
 @dataclass(frozen=True)

@@ -49,8 +49,8 @@ def needs_wrist(robot: Robot, method: str, *, alone: bool = False) -> None:
     """
     kinds = [joint.kind for joint in robot.moving]
     if len(kinds) != 6 and not (alone and kinds == ["R"] * 3):
-        count = f"{len(kinds)} joint{'s' * (len(kinds) != 1)}"
-        raise DoesNotApply(f"{method} does not apply to {robot.name}: it needs six joints, this arm has {count}.")
+        joints = f"{len(kinds)} joint{'s' * (len(kinds) != 1)}"
+        raise DoesNotApply(f"{method} does not apply to {robot.name}: it needs six joints, this arm has {joints}.")
     sliding = [str(number) for number, kind in enumerate(kinds, start=1) if kind == "P" and number > 3]
     if sliding:
         raise DoesNotApply(
