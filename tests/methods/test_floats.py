@@ -13,8 +13,12 @@ from kinsym.robot import from_inline, load
 from kinsym.robot.model import Robot
 from tests.methods.floats import Posture, follow
 
-PIEPER = "0 0 0 theta1; alpha1 a1 d2 theta2; alpha2 a2 d3 theta3; alpha3 a3 d4 theta4; alpha4 0 0 theta5; alpha5 0 0 theta6"
-OFFSETS = "0 0 d1 theta1; pi/2 a1 0 theta2+pi/2; 0 a2 0 theta3; pi/2 a3 d4 -theta4; -pi/2 0 0 theta5; pi/2 0 d6 theta6-pi/2"
+PIEPER = (
+    "0 0 0 theta1; alpha1 a1 d2 theta2; alpha2 a2 d3 theta3; alpha3 a3 d4 theta4; alpha4 0 0 theta5; alpha5 0 0 theta6"
+)
+OFFSETS = (
+    "0 0 d1 theta1; pi/2 a1 0 theta2+pi/2; 0 a2 0 theta3; pi/2 a3 d4 -theta4; -pi/2 0 0 theta5; pi/2 0 d6 theta6-pi/2"
+)
 SKEW_SLIDE = "0 0 0 theta1; deg(60) a1 l2 theta2; deg(30) a2 d3 0; pi/2 a3 l4 theta4; -pi/2 0 0 theta5; pi/2 0 0 theta6"
 BENT = "0 0 0 theta1; pi/2 0 d2 theta2; 0 a2 0 theta3; -pi/2 a3 d4 theta4; pi/2 0 0 theta5; -pi/2 0 d6 theta6"
 FLAT = "0 0 0 theta1; 0 a1 d2 theta2; deg(40) a2 d3 theta3; pi/2 a3 d4 theta4; -pi/2 0 0 theta5; pi/2 0 0 theta6"
