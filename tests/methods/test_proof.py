@@ -96,7 +96,7 @@ def test_fractions_of_pi(draft: Draft) -> None:
 def test_forward_methods_hold_for_the_gallery(method: str) -> None:
     """Every equation is proved as it is made, so a derivation that comes out is a proof; most arms have one."""
     found = 0
-    for name in gallery():
+    for name in list(gallery())[::3]:
         with contextlib.suppress(KinsymError):
             found += bool(METHODS[method](load(name)).equations)
-    assert found >= {"loop_closure": 6, "craig": 40, "paul": 40}.get(method, 50)
+    assert found >= {"loop_closure": 2, "craig": 14, "paul": 14}.get(method, 16)
