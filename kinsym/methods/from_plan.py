@@ -21,7 +21,8 @@ def state_plan(draft: Draft, plan: Plan) -> None:
     """State a plan item by item."""
     for item in plan.items:
         if isinstance(item, Window):
-            draft.say(f"T_{item.left}_{item.right} is what is left for joints {item.left + 1} to {item.right} to make:")
+            joints = f"joints {item.left + 1} to {item.right}" if item.right > item.left + 1 else f"joint {item.right}"
+            draft.say(f"`T_{item.left}_{item.right}` is what is left for {joints} to make:")
             for definition in item.definitions:
                 _define(draft, definition)
         elif isinstance(item, Definition):

@@ -17,7 +17,7 @@ from kinsym.algebra.ring import Poly
 from kinsym.algebra.tree import ONE, ZERO, Call, Pow, Sym, Tree, add, mul, sub
 from kinsym.errors import DoesNotApply
 from kinsym.methods.draft import Draft
-from kinsym.methods.steps import TWO, tangent
+from kinsym.methods.steps import TWO, AngleOf, tangent
 from kinsym.methods.words import Words, short
 from kinsym.methods.wrist_point import angle_of
 
@@ -76,7 +76,12 @@ def solve_quartic(draft: Draft, unknown: str, given: Quadratic) -> None:
     if sliding:
         _in_length(draft, unknown, {key: nested(words, part, written) for key, part in parts.items()})
     else:
-        _in_angle(draft, unknown, {key: nested(words, part, written) for key, part in parts.items()})
+        draft.say("{case3} is, multiplied by its denominators,")
+        state_in_angle(
+            draft,
+            angle_of(draft.chain, unknown),
+            {key: nested(words, part, written) for key, part in parts.items()},
+        )
 
 
 def _powers(names: tuple[str, ...], key: tuple[int, ...]) -> list[Tree]:
@@ -98,11 +103,11 @@ def _line(
     return words.reduce(total)
 
 
-def _in_angle(draft: Draft, unknown: str, parts: dict[tuple[int, ...], Tree]) -> None:
-    angle = angle_of(draft.chain, unknown)
+def state_in_angle(draft: Draft, angle: AngleOf, parts: dict[tuple[int, ...], Tree]) -> None:
+    """A quadratic equation in the cosine and sine of an angle, by its coefficients, and the polynomial in u."""
+    unknown = angle.name
     keys = ((2, 0), (1, 1), (1, 0), (0, 1), (0, 0))
     kappa: list[Tree] = []
-    draft.say("{case3} is, multiplied by its denominators,")
     for index, key in enumerate(keys, start=1):
         part = parts.get(key)
         kappa.append(draft.define(draft.fresh(f"kappa{index}"), part) if part else ZERO)
