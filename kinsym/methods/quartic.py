@@ -27,7 +27,7 @@ class Quadratic:
     """k1 to k4 by name and in the chain's ring, a1 and s alpha1 in that ring, r and z by name."""
 
     symbols: tuple[str, ...]
-    k: list[Poly]
+    k: tuple[Poly, ...]
     a1: Poly
     sine: Poly
     r: Sym
