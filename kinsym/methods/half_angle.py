@@ -7,6 +7,7 @@ the squares of two equations in two angles, added so that one goes out, which be
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import pairwise
 
 from sympy import Integer
 
@@ -20,7 +21,8 @@ from kinsym.kinematics.chain import build_chain
 from kinsym.kinematics.tasks import fitting_task
 from kinsym.methods.document import MethodDerivation
 from kinsym.methods.draft import Draft
-from kinsym.methods.quartic import state_in_angle
+from kinsym.methods.from_plan import give_tangents
+from kinsym.methods.quartic import state_in_angle, state_in_length
 from kinsym.methods.steps import AngleOf, Written, half_angle
 from kinsym.methods.tables import unlocked
 from kinsym.methods.words import Words
@@ -71,7 +73,9 @@ def general() -> MethodDerivation:
 
 def _state(draft: Draft, plan: Plan) -> None:
     """The quantities that lead to each such equation, and its polynomial."""
+    give_tangents(draft, plan)
     last = max(number for number, item in enumerate(plan.items) if isinstance(item, Step) and item.rule in RULES)
+    after = dict(pairwise(step.unknown for step in plan.steps))
     for item in plan.items[: last + 1]:
         match item:
             case Window():
@@ -81,10 +85,11 @@ def _state(draft: Draft, plan: Plan) -> None:
                 if item.name not in draft.witnesses[0].angles and item.name not in draft.witnesses[0].numbers:
                     draft.define(item.name, item.value)
             case Step():
-                _state_step(draft, item)
+                _state_step(draft, item, after.get(item.unknown, ""))
 
 
-def _state_step(draft: Draft, step: Step) -> None:
+def _state_step(draft: Draft, step: Step, following: str) -> None:
+    """One step, and the polynomial it makes; ``following`` is what the step behind it finds."""
     if step.rule not in RULES:
         for definition in step.coefficients:
             draft.define(definition.name, definition.value)
@@ -98,21 +103,28 @@ def _state_step(draft: Draft, step: Step) -> None:
         draft.define(definition.name, definition.value)
     c, s = step.outputs[:2]
     if step.rule == "quartic":
-        _state_quartic(draft, AngleOf(step.unknown, c, s), step)
+        _state_quartic(draft, AngleOf(step.unknown, c, s), step, following)
         return
     half_angle(draft, AngleOf(step.unknown, c, s), *_coefficients(step))
 
 
-def _state_quartic(draft: Draft, angle: AngleOf, step: Step) -> None:
-    """The squares of two equations, added, as a polynomial of degree four."""
+def _state_quartic(draft: Draft, angle: AngleOf, step: Step, following: str) -> None:
+    """The squares of two equations, added, as a polynomial of degree four: in u, or in the length that follows."""
     (statement,) = [value for name, value in step.solution if name == "0"][:1]
-    draft.say(f"Squared and added they hold `{angle.name}` alone:")
-    draft.state(f"{angle.name}.squares", draft.tree(draft.ring.zero), statement)
+    sliding = angle.cosine not in symbols(statement)
+    unknown = following if sliding else angle.name
+    draft.say(f"Squared and added they hold `{unknown}` alone:")
+    draft.state(f"{unknown}.squares", draft.tree(draft.ring.zero), statement)
     names = dict.fromkeys(symbols(statement))
     words = Words(draft.ring, [name for name in names if name not in draft.ring])
-    parts = words.collect(words.of_tree(statement), (angle.cosine, angle.sine))
+    names_of = (following,) if sliding else (angle.cosine, angle.sine)
+    parts = words.collect(words.of_tree(statement), names_of)
+    trees = {key: nested(words, part) for key, part in parts.items()}
     draft.say("Multiplied out this is")
-    state_in_angle(draft, angle, {key: nested(words, part) for key, part in parts.items()})
+    if sliding:
+        state_in_length(draft, following, trees)
+    else:
+        state_in_angle(draft, angle, trees)
 
 
 def _coefficients(step: Step) -> tuple[Tree, Tree, Tree]:

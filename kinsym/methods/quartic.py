@@ -74,7 +74,8 @@ def solve_quartic(draft: Draft, unknown: str, given: Quadratic) -> None:
     if all(not any(key) for key in parts):
         raise DoesNotApply(f"{unknown} does not occur in the eliminant of {draft.chain.robot.name}.")
     if sliding:
-        _in_length(draft, unknown, {key: nested(words, part, written) for key, part in parts.items()})
+        draft.say(f"{{case3}} is, multiplied by its denominators, a polynomial of degree four in `{unknown}`:")
+        state_in_length(draft, unknown, {key: nested(words, part, written) for key, part in parts.items()})
     else:
         draft.say("{case3} is, multiplied by its denominators,")
         state_in_angle(
@@ -128,8 +129,8 @@ def state_in_angle(draft: Draft, angle: AngleOf, parts: dict[tuple[int, ...], Tr
     draft.solve(unknown, mul(TWO, Call("atan", (u,))), branches=4)
 
 
-def _in_length(draft: Draft, unknown: str, parts: dict[tuple[int, ...], Tree]) -> None:
-    draft.say(f"{{case3}} is, multiplied by its denominators, a polynomial of degree four in `{unknown}`:")
+def state_in_length(draft: Draft, unknown: str, parts: dict[tuple[int, ...], Tree]) -> None:
+    """A polynomial in a prismatic variable, by its coefficients."""
     terms = []
     for (power,), part in sorted(parts.items(), reverse=True):
         value = draft.define(draft.fresh(f"kappa{power}"), part)
