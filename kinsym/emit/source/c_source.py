@@ -68,6 +68,7 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "entries": _entries(inverse),
         "kernels": kernels_used(inverse.statements),
         "functions": functions_used(schedule),
+        "angles": False,
         "gate": gate,
         "index": {name: 4 * row + column for name, (row, column) in ENTRIES.items()},
         "fk": line_needs(schedule, schedule.forward),
