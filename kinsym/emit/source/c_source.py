@@ -16,6 +16,7 @@ from kinsym.emit.environment import render
 from kinsym.emit.printer import Printer, decimal
 from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.banner import banner, c_comment
+from kinsym.emit.source.c_batch import batch_of, waves
 from kinsym.emit.source.c_general import general_names
 from kinsym.emit.source.control import c_limits, control_names
 from kinsym.emit.source.gate import gate_entries
@@ -41,6 +42,12 @@ class CPrinter(Printer):
         "wrap": "wrap",
     }
     pi = "3.141592653589793"
+
+
+class LanePrinter(CPrinter):
+    """The same in a loop over many poses, where sines and cosines must not be calls."""
+
+    functions: ClassVar = {**CPrinter.functions, "sin": "lane_sin", "cos": "lane_cos"}
 
 
 def c_source(schedule: Schedule) -> dict[str, str]:
@@ -70,6 +77,9 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "functions": functions_used(schedule),
         "angles": False,
         "gate": gate,
+        "batch": batch_of(schedule, inverse, printer),
+        "waves": waves(schedule),
+        "lane_expression": LanePrinter(),
         "index": {name: 4 * row + column for name, (row, column) in ENTRIES.items()},
         "fk": line_needs(schedule, schedule.forward),
         "jacobian": line_needs(schedule, schedule.jacobian),
@@ -165,6 +175,9 @@ def _heads(schedule: Schedule, twins: bool) -> dict[str, Any]:
             f"const double values[], int steps, {solutions}, int counts[])"
             for joint in schedule.inputs
         },
+        "fk_batch": f"void {name}_fk_batch(const double q[], int n, {parameters}, double T[])",
+        "ik_batch": f"int {name}_ik_batch(const double T[], int n, {parameters}, const double reference[{joints}], "
+        f"{''.join(f'const double {joint}_values[], ' for joint in schedule.inputs)}{solutions}, int counts[])",
         "ik_marked": f"int {name}_ik_marked(const double T[16], {parameters}, "
         f"const double reference[{joints}], {solutions}, {name}_mark marks[])",
         "distance": f"static double distance({vector}, {pose}, double e[ENTRIES])",

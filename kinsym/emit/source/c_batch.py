@@ -1,0 +1,103 @@
+"""Many poses at once in C: the inverse kinematics without a branch, a block of poses as lanes.
+
+The levels of the schedule become loops over the lanes. A root that is not there is a zero in a mask, and a pose at
+which any root is marked is left to the function for one pose: so the kernels here know nothing but their ordinary
+roots, and the answers are those of the function for one pose.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import prod
+
+from kinsym.algebra.tree import Call, Sym, symbols
+from kinsym.emit.printer import Printer
+from kinsym.emit.schedule import Schedule
+from kinsym.emit.source.kernels import KERNELS, kernels_used
+from kinsym.emit.source.lanes import Constants, Loop, Loops, constants_of
+from kinsym.emit.source.needs import InverseNeeds, line_needs
+from kinsym.emit.source.parity import TURNS
+from kinsym.inverse.plan import Definition
+
+#: The kernels that have a form without a branch.
+LANE_KERNELS = frozenset(KERNELS) - {"quartic"}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Batch:
+    """What the templates of the batch read.
+
+    kernels     the kernels that are called.
+    given       of locked joints whose values the caller gives: what is read of them, computed with the pose.
+    constants   what the loops read of what depends on parameters alone; given_constants: what ``given`` reads of it.
+    size        the arm's size, and what it is made of.
+    loops       the loops over the lanes, each inside those over the roots of the steps before it.
+    rows        the joint values at the last level, for each of its roots.
+    real        the variable that says whether these are there.
+    path        the number of the first of them among all paths.
+    turns       the functions that lead from an angle to that of the second root.
+    """
+
+    kernels: tuple[str, ...]
+    given: tuple[Definition, ...]
+    given_constants: Constants
+    constants: Constants
+    size: Constants
+    loops: tuple[Loop, ...]
+    rows: tuple[tuple[str, ...], ...]
+    real: str
+    path: str
+    turns: tuple[str, ...]
+
+
+def batch_of(schedule: Schedule, needs: InverseNeeds, printer: Printer) -> Batch | None:
+    """The loops of a schedule; None if it calls a kernel that has no form without a branch."""
+    used = kernels_used(needs.statements)
+    if schedule.general or not LANE_KERNELS.issuperset(used):
+        return None
+    given = _given(schedule, needs)
+    loops = Loops(schedule, needs, printer, given)
+    loops.fill()
+    rows = loops.rows()
+    fixed = [item for item in needs.constants if item not in given]
+    size = Definition(name="size", value=schedule.size)
+    return Batch(
+        kernels=used,
+        given=given,
+        given_constants=constants_of(schedule, fixed, (name for item in given for name in symbols(item.value))),
+        constants=loops.constants(),
+        size=constants_of(schedule, [*fixed, size], ["size"]),
+        loops=loops.loops,
+        rows=rows,
+        real=f"real{schedule.depth}",
+        path=_path(schedule.widths),
+        turns=tuple(turn for turn in TURNS if turn in loops.turns),
+    )
+
+
+def waves(schedule: Schedule) -> frozenset[str]:
+    """Which of sine and cosine the forward kinematics takes of joint values."""
+    values = [item.value for item in line_needs(schedule, schedule.forward).definitions]
+    calls = (value.function for value in values if isinstance(value, Call))
+    return frozenset(calls) & {"sin", "cos"}
+
+
+def _given(schedule: Schedule, needs: InverseNeeds) -> tuple[Definition, ...]:
+    """The locked joints whose values the caller gives, and what follows from them."""
+    names = set(schedule.inputs)
+    found = [Definition(name=name, value=Sym(name)) for name in needs.inputs]
+    for item in needs.constants:
+        if names.intersection(symbols(item.value)):
+            names.add(item.name)
+            found.append(item)
+    return tuple(found)
+
+
+def _path(widths: tuple[int, ...]) -> str:
+    """The number of the first path that the last loop computes.
+
+    >>> _path((2, 2, 2)), _path((2,))
+    ('4 * i1 + 2 * i2', '0')
+    """
+    terms = [f"{prod(widths[level:])} * i{level}" for level in range(1, len(widths))]
+    return " + ".join(terms) or "0"

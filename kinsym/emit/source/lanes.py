@@ -1,0 +1,253 @@
+"""The statements of the inverse kinematics as loops over lanes.
+
+A name is a constant before all loops, a local of one loop, or, where a deeper loop reads it, an array with a place for
+every lane. The last loop computes both roots of the last step that branches: what parity tells of the second is
+not computed again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+
+from kinsym.algebra.tree import Call, Sym, Tree, negated, symbols
+from kinsym.emit.printer import Printer
+from kinsym.emit.schedule import Assign, Note, Schedule, Solve, Statement
+from kinsym.emit.source.kernels import KERNELS
+from kinsym.emit.source.needs import ENTRIES, InverseNeeds
+from kinsym.emit.source.parity import EVEN, ODD, Parity, of_outputs, of_roots, parity, substituted, turn_of
+from kinsym.inverse.plan import Definition, Step
+
+
+@dataclass(frozen=True, kw_only=True)
+class Line:
+    """A line of C, or of a comment."""
+
+    text: str
+    comment: bool = False
+
+
+@dataclass(frozen=True, kw_only=True)
+class Constants:
+    """What is computed before a loop: parameters that are read, by name, and definitions."""
+
+    parameters: tuple[str, ...]
+    definitions: tuple[Definition, ...]
+
+
+@dataclass(kw_only=True)
+class Loop:
+    """One loop over the lanes.
+
+    loads     what it reads from arrays, as declarations: ``"c1 = c1_lanes[i1][k]"``.
+    body      its lines, in order.
+    arrays    the arrays that it fills: ``"c3_lanes[2][LANES]"``.
+    stores    the assignments that fill them.
+    marks     what it adds to the mark of the pose: ``"real1 * mark3"``.
+    """
+
+    loads: list[str] = field(default_factory=list)
+    body: list[Line] = field(default_factory=list)
+    arrays: list[str] = field(default_factory=list)
+    stores: list[str] = field(default_factory=list)
+    marks: list[str] = field(default_factory=list)
+
+
+def constants_of(schedule: Schedule, definitions: Iterable[Definition], names: Iterable[str]) -> Constants:
+    """The definitions, and the parameters, that ``names`` depend on."""
+    wanted, kept = set(names), []
+    for item in reversed(list(definitions)):
+        if item.name in wanted:
+            wanted.update(symbols(item.value))
+            kept.append(item)
+    return Constants(
+        parameters=tuple(parameter.name for parameter in schedule.parameters if parameter.name in wanted),
+        definitions=tuple(reversed(kept)),
+    )
+
+
+class Loops:
+    """Fills the loops, the outermost first."""
+
+    def __init__(
+        self, schedule: Schedule, needs: InverseNeeds, printer: Printer, given: tuple[Definition, ...]
+    ) -> None:
+        self.loops = tuple(Loop() for _ in range(max(schedule.depth, 1)))
+        self.turns: set[str] = set()
+        self._schedule, self._needs, self._printer = schedule, needs, printer
+        self._fixed = [item for item in needs.constants if item not in given]
+        self._fixed.append(Definition(name="size", value=schedule.size))
+        self._constant = {item.name for item in (*schedule.parameters, *self._fixed)}
+        self._read: set[str] = set()
+        self._local: list[set[str]] = [set() for _ in self.loops]
+        self._homes: dict[str, int] = {}
+        self._arrays = {name: f"block->M[{4 * row + column}][k]" for name, (row, column) in ENTRIES.items()}
+        self._arrays |= {item.name: f"block->given[{place}][k]" for place, item in enumerate(given)}
+        self._arrays |= {"tau": "block->tau[k]"}
+        self._parities: dict[str, Parity] = {}
+        self._others: dict[str, Tree] = {}
+
+    def fill(self) -> None:
+        """Every statement in its loop."""
+        for number, loop in enumerate(self.loops):
+            array = "block->real[k]" if number == 0 else f"real{number}_lanes[k]"
+            loop.loads.append(f"real{number} = {array}")
+        for statement in self._needs.statements:
+            for plain in self._plain(statement):
+                self._put(plain)
+
+    def rows(self) -> tuple[tuple[str, ...], ...]:
+        """The joint values of every root of the last step that branches."""
+        names = self._schedule.solution
+        self._use(map(Sym, names), len(self.loops) - 1)
+        if self._schedule.depth == 0:
+            return (names,)
+        return (names, tuple(self._printer(self._others.get(name, Sym(name))) for name in names))
+
+    def constants(self) -> Constants:
+        """What the loops read of what depends on parameters alone."""
+        return constants_of(self._schedule, self._fixed, self._read)
+
+    def _plain(self, statement: Statement) -> Iterator[Statement]:
+        """A statement without a kernel that does nothing but assign."""
+        if not isinstance(statement, Solve) or not KERNELS[statement.step.rule].plain:
+            yield statement
+            return
+        step = statement.step
+        for name, given in zip(step.outputs, KERNELS[step.rule].inputs, strict=True):
+            if name in self._needs.names:
+                yield Assign(level=statement.level, name=name, value=step.inputs[given])
+
+    def _put(self, statement: Statement) -> None:
+        number = min(statement.level, len(self.loops) - 1)
+        if isinstance(statement, Note):
+            self.loops[number].body.append(Line(text=statement.text, comment=True))
+        elif isinstance(statement, Assign):
+            if self._constant.issuperset(symbols(statement.value)):
+                self._fixed.append(Definition(name=statement.name, value=statement.value))
+                self._constant.add(statement.name)
+                return
+            self._assign(statement, number)
+        elif statement.step.branches > 1:
+            self._fork(statement.step, number)
+        else:
+            self._solve(statement.step, statement.level, number)
+
+    def _assign(self, statement: Assign, number: int) -> None:
+        self._define(statement.name, statement.value, number)
+        if self._is_last(statement.level):
+            self._assign_other(statement.name, statement.value, number)
+
+    def _define(self, name: str, value: Tree, number: int) -> None:
+        self._use([value], number)
+        self._code(number, f"const double {name} = {self._printer(value)};")
+        self._own(name, number)
+
+    def _assign_other(self, name: str, value: Tree, number: int) -> None:
+        """The value at the second root, computed only where parity does not tell it."""
+        other = f"{name}_other"
+        turn = turn_of(value, self._parities)
+        if turn is not None:
+            self._parities[name] = EVEN if turn == "same" else None
+            if turn != "same":
+                self.turns.add(turn)
+                self._others[name] = Sym(other)
+                self._code(number, f"const double {other} = {turn}({name});")
+            return
+        self._settle({name: parity(value, self._parities)})
+        if self._parities[name] is None:
+            self._define(other, substituted(value, self._others), number)
+
+    def _settle(self, parities: dict[str, Parity]) -> None:
+        """What names stand for at the second root."""
+        for name, sign in parities.items():
+            self._parities[name] = sign
+            if sign != EVEN:
+                self._others[name] = negated(Sym(name)) if sign == ODD else Sym(f"{name}_other")
+
+    def _solve(self, step: Step, level: int, number: int) -> None:
+        """A kernel with one root."""
+        self._call(step, step.inputs, "", level, number)
+        if not self._is_last(level):
+            return
+        signs = of_outputs(step, self._parities)
+        if None in signs.values():
+            changed = {name: substituted(value, self._others) for name, value in step.inputs.items()}
+            self._call(step, changed, "_other", level, number)
+            signs = dict.fromkeys(signs)
+        self._settle(signs)
+
+    def _call(self, step: Step, inputs: dict[str, Tree], suffix: str, level: int, number: int) -> None:
+        names = [f"{name}{suffix}" for name in step.outputs]
+        mark = f"mark{step.number}{suffix}"
+        arguments = [*self._printed(step, inputs, number), *(f"&{name}" for name in (*names, mark))]
+        self._code(number, f"double {', '.join([*names, mark])};")
+        self._code(number, f"lane_{step.rule}({', '.join(arguments)});")
+        self.loops[number].marks.append(f"real{level} * {mark}")
+        for name in names:
+            self._own(name, number)
+
+    def _fork(self, step: Step, number: int) -> None:
+        """A kernel with two roots: arrays of both for the next loop, or both at once in the last one."""
+        kernel, mark, real = KERNELS[step.rule], f"mark{step.number}", f"real{number + 1}"
+        pairs = [(name, rooted) for name, (_, rooted) in zip(step.outputs, kernel.outputs, strict=True)]
+        results = [f"{name}_roots[2]" if rooted else name for name, rooted in pairs]
+        filled = [f"{name}_roots" if rooted else f"&{name}" for name, rooted in pairs]
+        arguments = [*self._printed(step, step.inputs, number), *filled, f"&{mark}"]
+        self._code(number, f"double {', '.join([*results, mark])};")
+        self._code(number, f"const double {real} = real{number} * lane_{step.rule}({', '.join(arguments)});")
+        self.loops[number].marks.append(f"real{number} * {mark}")
+        used = [(name, rooted) for name, rooted in pairs if name in self._needs.names]
+        if number + 1 < self._schedule.depth:
+            self._keep(real, number)
+            for name, rooted in used:
+                self._own(name, number)
+                if rooted:
+                    self._keep_roots(name, number)
+            return
+        self._settle(of_roots(step))
+        for name, rooted in used:
+            self._own(name, number)
+            if rooted:
+                self._code(number, f"const double {name} = {name}_roots[0];")
+            if self._parities[name] is None:
+                self._code(number, f"const double {name}_other = {name}_roots[1];")
+                self._own(f"{name}_other", number)
+
+    def _printed(self, step: Step, inputs: dict[str, Tree], number: int) -> list[str]:
+        self._use(inputs.values(), number)
+        return [self._printer(inputs[name]) for name in KERNELS[step.rule].inputs]
+
+    def _is_last(self, level: int) -> bool:
+        """Whether a statement stands behind the last step that branches."""
+        return 0 < level == self._schedule.depth
+
+    def _code(self, number: int, text: str) -> None:
+        self.loops[number].body.append(Line(text=text))
+
+    def _own(self, name: str, number: int) -> None:
+        self._local[number].add(name)
+        self._homes[name] = number
+
+    def _keep(self, name: str, number: int) -> None:
+        """An array of a local for deeper loops."""
+        self.loops[number].arrays.append(f"{name}_lanes[LANES]")
+        self.loops[number].stores.append(f"{name}_lanes[k] = {name};")
+        self._arrays[name] = f"{name}_lanes[k]"
+
+    def _keep_roots(self, name: str, number: int) -> None:
+        """Arrays of both roots, of which a deeper loop reads one."""
+        self.loops[number].arrays.append(f"{name}_lanes[2][LANES]")
+        self.loops[number].stores += [f"{name}_lanes[{root}][k] = {name}_roots[{root}];" for root in (0, 1)]
+        self._arrays[name] = f"{name}_lanes[i{number + 1}][k]"
+
+    def _use(self, values: Iterable[Tree], number: int) -> None:
+        """Makes sure that a loop has the names that values are made of."""
+        for name in (name for value in values for name in symbols(value)):
+            if name in self._constant:
+                self._read.add(name)
+            elif name not in self._local[number]:
+                if name not in self._arrays:
+                    self._keep(name, self._homes[name])
+                self.loops[number].loads.append(f"{name} = {self._arrays[name]}")
+                self._local[number].add(name)
