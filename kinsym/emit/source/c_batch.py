@@ -8,16 +8,19 @@ roots, and the answers are those of the function for one pose.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import prod
+from math import ceil, prod
 
 from kinsym.algebra.tree import Call, Sym, symbols
 from kinsym.emit.printer import Printer
 from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.kernels import KERNELS, kernels_used
-from kinsym.emit.source.lanes import Constants, Loop, Loops, constants_of
+from kinsym.emit.source.lanes import Constants, Loop, Loops, arrays_of_poses, constants_of
 from kinsym.emit.source.needs import InverseNeeds, line_needs
 from kinsym.emit.source.parity import TURNS
 from kinsym.inverse.plan import Definition
+
+#: How many poses are computed side by side: some registers full, and few enough for their arrays to stay in cache.
+LANES = 64
 
 #: The kernels that have a form without a branch.
 LANE_KERNELS = frozenset(KERNELS) - {"quartic"}
@@ -30,12 +33,13 @@ class Batch:
     kernels     the kernels that are called.
     given       of locked joints whose values the caller gives: what is read of them, computed with the pose.
     constants   what the loops read of what depends on parameters alone; given_constants: what ``given`` reads of it.
-    size        the arm's size, and what it is made of.
+    size        what the arm's size is made of: constants, and size_loads of what comes with the pose.
     loops       the loops over the lanes, each inside those over the roots of the steps before it.
     rows        the joint values at the last level, for each of its roots.
     real        the variable that says whether these are there.
     path        the number of the first of them among all paths.
     turns       the functions that lead from an angle to that of the second root.
+    stack       how many kilobytes of stack it takes, about.
     """
 
     kernels: tuple[str, ...]
@@ -43,11 +47,13 @@ class Batch:
     given_constants: Constants
     constants: Constants
     size: Constants
+    size_loads: tuple[str, ...]
     loops: tuple[Loop, ...]
     rows: tuple[tuple[str, ...], ...]
     real: str
     path: str
     turns: tuple[str, ...]
+    stack: int
 
 
 def batch_of(schedule: Schedule, needs: InverseNeeds, printer: Printer) -> Batch | None:
@@ -60,18 +66,20 @@ def batch_of(schedule: Schedule, needs: InverseNeeds, printer: Printer) -> Batch
     loops.fill()
     rows = loops.rows()
     fixed = [item for item in needs.constants if item not in given]
-    size = Definition(name="size", value=schedule.size)
+    arrays, parts = arrays_of_poses(given), list(dict.fromkeys(symbols(schedule.size)))
     return Batch(
         kernels=used,
         given=given,
         given_constants=constants_of(schedule, fixed, (name for item in given for name in symbols(item.value))),
         constants=loops.constants(),
-        size=constants_of(schedule, [*fixed, size], ["size"]),
+        size=constants_of(schedule, fixed, parts),
+        size_loads=tuple(f"{name} = {arrays[name]}" for name in parts if name in arrays),
         loops=loops.loops,
         rows=rows,
         real=f"real{schedule.depth}",
         path=_path(schedule.widths),
         turns=tuple(turn for turn in TURNS if turn in loops.turns),
+        stack=_stack(schedule, len(given), loops),
     )
 
 
@@ -91,6 +99,13 @@ def _given(schedule: Schedule, needs: InverseNeeds) -> tuple[Definition, ...]:
             names.add(item.name)
             found.append(item)
     return tuple(found)
+
+
+def _stack(schedule: Schedule, given: int, loops: Loops) -> int:
+    """The kilobytes of the block (``lanes.c.jinja``) and of the arrays of the loops, rounded up to tens."""
+    block = 27 + given + schedule.maximum * (len(schedule.joints) + 1)
+    arrays = sum(2 if "[2]" in array else 1 for loop in loops.loops for array in loop.arrays)
+    return 10 * ceil((block + arrays) * LANES * 8 / 10240)
 
 
 def _path(widths: tuple[int, ...]) -> str:

@@ -16,7 +16,7 @@ from kinsym.emit.environment import render
 from kinsym.emit.printer import Printer, decimal
 from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.banner import banner, c_comment
-from kinsym.emit.source.c_batch import batch_of, waves
+from kinsym.emit.source.c_batch import LANES, batch_of, waves
 from kinsym.emit.source.c_general import general_names
 from kinsym.emit.source.control import c_limits, control_names
 from kinsym.emit.source.gate import gate_entries
@@ -78,6 +78,7 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "angles": False,
         "gate": gate,
         "batch": batch_of(schedule, inverse, printer),
+        "lanes": LANES,
         "waves": waves(schedule),
         "lane_expression": LanePrinter(),
         "index": {name: 4 * row + column for name, (row, column) in ENTRIES.items()},

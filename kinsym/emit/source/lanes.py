@@ -66,6 +66,23 @@ def constants_of(schedule: Schedule, definitions: Iterable[Definition], names: I
     )
 
 
+def arrays_of_poses(given: tuple[Definition, ...]) -> dict[str, str]:
+    """Where a lane finds what is given with its pose."""
+    arrays = {name: f"block->M[{4 * row + column}][k]" for name, (row, column) in ENTRIES.items()}
+    arrays |= {item.name: f"block->given[{place}][k]" for place, item in enumerate(given)}
+    return arrays | {"tau": "block->tau[k]"}
+
+
+def _values(statement: Statement) -> tuple[Tree, ...]:
+    """What a statement reads."""
+    match statement:
+        case Assign(value=value):
+            return (value,)
+        case Solve(step=step):
+            return tuple(step.inputs.values())
+    return ()
+
+
 class Loops:
     """Fills the loops, the outermost first."""
 
@@ -76,14 +93,11 @@ class Loops:
         self.turns: set[str] = set()
         self._schedule, self._needs, self._printer = schedule, needs, printer
         self._fixed = [item for item in needs.constants if item not in given]
-        self._fixed.append(Definition(name="size", value=schedule.size))
         self._constant = {item.name for item in (*schedule.parameters, *self._fixed)}
         self._read: set[str] = set()
         self._local: list[set[str]] = [set() for _ in self.loops]
         self._homes: dict[str, int] = {}
-        self._arrays = {name: f"block->M[{4 * row + column}][k]" for name, (row, column) in ENTRIES.items()}
-        self._arrays |= {item.name: f"block->given[{place}][k]" for place, item in enumerate(given)}
-        self._arrays |= {"tau": "block->tau[k]"}
+        self._arrays = arrays_of_poses(given)
         self._parities: dict[str, Parity] = {}
         self._others: dict[str, Tree] = {}
 
@@ -92,9 +106,11 @@ class Loops:
         for number, loop in enumerate(self.loops):
             array = "block->real[k]" if number == 0 else f"real{number}_lanes[k]"
             loop.loads.append(f"real{number} = {array}")
-        for statement in self._needs.statements:
-            for plain in self._plain(statement):
-                self._put(plain)
+        statements = [plain for statement in self._needs.statements for plain in self._plain(statement)]
+        if any("size" in symbols(value) for statement in statements for value in _values(statement)):
+            self._put(Assign(level=0, name="size", value=self._schedule.size))
+        for statement in statements:
+            self._put(statement)
 
     def rows(self) -> tuple[tuple[str, ...], ...]:
         """The joint values of every root of the last step that branches."""
@@ -153,6 +169,7 @@ class Loops:
                 self.turns.add(turn)
                 self._others[name] = Sym(other)
                 self._code(number, f"const double {other} = {turn}({name});")
+                self._own(other, number)
             return
         self._settle({name: parity(value, self._parities)})
         if self._parities[name] is None:
