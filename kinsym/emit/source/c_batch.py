@@ -16,7 +16,6 @@ from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.kernels import KERNELS, kernels_used
 from kinsym.emit.source.lanes import Constants, Loop, Loops, arrays_of_poses, constants_of
 from kinsym.emit.source.needs import InverseNeeds, line_needs
-from kinsym.emit.source.parity import TURNS
 from kinsym.inverse.plan import Definition
 
 #: How many poses are computed side by side: some registers full, and few enough for their arrays to stay in cache.
@@ -38,7 +37,7 @@ class Batch:
     rows        the joint values at the last level, for each of its roots.
     real        the variable that says whether these are there.
     path        the number of the first of them among all paths.
-    turns       the functions that lead from an angle to that of the second root.
+    functions   what the loops call.
     stack       how many kilobytes of stack it takes, about.
     """
 
@@ -52,7 +51,7 @@ class Batch:
     rows: tuple[tuple[str, ...], ...]
     real: str
     path: str
-    turns: tuple[str, ...]
+    functions: frozenset[str]
     stack: int
 
 
@@ -78,7 +77,7 @@ def batch_of(schedule: Schedule, needs: InverseNeeds, printer: Printer) -> Batch
         rows=rows,
         real=f"real{schedule.depth}",
         path=_path(schedule.widths),
-        turns=tuple(turn for turn in TURNS if turn in loops.turns),
+        functions=frozenset(loops.functions),
         stack=_stack(schedule, len(given), loops),
     )
 

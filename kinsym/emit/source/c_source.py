@@ -61,6 +61,7 @@ def c_source(schedule: Schedule) -> dict[str, str]:
     statements = inverse_views(schedule, inverse, printer)
     marking = c_marks(schedule, statements)
     ending = c_ending(schedule, inverse, statements, printer)
+    batch = batch_of(schedule, inverse, printer)
     names: dict[str, Any] = {
         **marking,
         **control_names(schedule),
@@ -81,7 +82,8 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "kernels": kernels_used(inverse.statements),
         "angles": "atan2" in ending["functions"],
         "gate": gate,
-        "batch": batch_of(schedule, inverse, printer),
+        "functions": ending["functions"] | (batch.functions if batch else frozenset()),
+        "batch": batch,
         "lanes": LANES,
         "waves": waves(schedule),
         "lane_expression": LanePrinter(),

@@ -1,22 +1,28 @@
 """The statements of the inverse kinematics as loops over lanes.
 
 A name is a constant before all loops, a local of one loop, or, where a deeper loop reads it, an array with a place for
-every lane. The last loop computes both roots of the last step that branches: what parity tells of the second is
+every lane. The last loop computes both roots of the last step that branches: what symmetry tells of the second is
 not computed again.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from kinsym.algebra.tree import Call, Sym, Tree, negated, symbols
+from kinsym.algebra.tree import Call, Sym, Tree, children, negated, replaced, symbols
+from kinsym.emit.ending import CHANGES, summands
 from kinsym.emit.printer import Printer
 from kinsym.emit.schedule import Assign, Note, Schedule, Solve, Statement
 from kinsym.emit.source.kernels import KERNELS
 from kinsym.emit.source.needs import ENTRIES, InverseNeeds
-from kinsym.emit.source.parity import EVEN, ODD, Parity, of_outputs, of_roots, parity, substituted, turn_of
+from kinsym.emit.symmetry import Sign, sign, signs
 from kinsym.inverse.plan import Definition, Step
+
+
+#: Functions whose values are angles in (-pi, pi], and how many of these make a sum that is at most one turn outside.
+_IN_A_TURN = frozenset({"atan2", "half_turn", "opposite", "unwound", "wrap"})
+_ONE_TURN = 3
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -66,6 +72,13 @@ def constants_of(schedule: Schedule, definitions: Iterable[Definition], names: I
     )
 
 
+def _functions(tree: Tree) -> Iterator[str]:
+    if isinstance(tree, Call):
+        yield tree.function
+    for child in children(tree):
+        yield from _functions(child)
+
+
 def arrays_of_poses(given: tuple[Definition, ...]) -> dict[str, str]:
     """Where a lane finds what is given with its pose."""
     arrays = {name: f"block->M[{4 * row + column}][k]" for name, (row, column) in ENTRIES.items()}
@@ -83,6 +96,14 @@ def _values(statement: Statement) -> tuple[Tree, ...]:
     return ()
 
 
+def _change(value: Tree, known: Mapping[str, Sign]) -> str | None:
+    """What becomes of an angle at the second root; None if that is not known, or ``value`` is no angle."""
+    match value:
+        case Call("atan2", (sine, cosine)):
+            return CHANGES.get((sign(sine, known), sign(cosine, known)))
+    return None
+
+
 class Loops:
     """Fills the loops, the outermost first."""
 
@@ -90,7 +111,7 @@ class Loops:
         self, schedule: Schedule, needs: InverseNeeds, printer: Printer, given: tuple[Definition, ...]
     ) -> None:
         self.loops = tuple(Loop() for _ in range(max(schedule.depth, 1)))
-        self.turns: set[str] = set()
+        self.functions: set[str] = set()
         self._schedule, self._needs, self._printer = schedule, needs, printer
         self._fixed = [item for item in needs.constants if item not in given]
         self._constant = {item.name for item in (*schedule.parameters, *self._fixed)}
@@ -98,8 +119,9 @@ class Loops:
         self._local: list[set[str]] = [set() for _ in self.loops]
         self._homes: dict[str, int] = {}
         self._arrays = arrays_of_poses(given)
-        self._parities: dict[str, Parity] = {}
+        self._signs = signs(needs.statements, schedule.depth) if schedule.depth else {}
         self._others: dict[str, Tree] = {}
+        self._angles: set[str] = set()
 
     def fill(self) -> None:
         """Every statement in its loop."""
@@ -155,44 +177,45 @@ class Loops:
             self._assign_other(statement.name, statement.value, number)
 
     def _define(self, name: str, value: Tree, number: int) -> None:
+        count = summands(value, self._angles)
+        if count is not None and count <= _ONE_TURN:
+            value = Call("unwound", children(value))
+        functions = set(_functions(value))
+        self.functions |= functions
+        if functions & _IN_A_TURN:
+            self._angles.add(name)
         self._use([value], number)
         self._code(number, f"const double {name} = {self._printer(value)};")
         self._own(name, number)
 
     def _assign_other(self, name: str, value: Tree, number: int) -> None:
-        """The value at the second root, computed only where parity does not tell it."""
-        other = f"{name}_other"
-        turn = turn_of(value, self._parities)
-        if turn is not None:
-            self._parities[name] = EVEN if turn == "same" else None
-            if turn != "same":
-                self.turns.add(turn)
-                self._others[name] = Sym(other)
-                self._code(number, f"const double {other} = {turn}({name});")
-                self._own(other, number)
-            return
-        self._settle({name: parity(value, self._parities)})
-        if self._parities[name] is None:
-            self._define(other, substituted(value, self._others), number)
+        """The value at the second root, computed only where symmetry does not tell it."""
+        change = _change(value, self._signs)
+        if self._signs[name] is None and change:
+            other: Tree = Sym(name)
+            for function in ("opposite", "half_turn") if change == "supplement" else (change,):
+                other = Call(function, (other,))
+            self._define(f"{name}_other", other, number)
+        elif self._signs[name] is None:
+            self._define(f"{name}_other", replaced(value, self._others), number)
+        self._tell_other(name)
 
-    def _settle(self, parities: dict[str, Parity]) -> None:
-        """What names stand for at the second root."""
-        for name, sign in parities.items():
-            self._parities[name] = sign
-            if sign != EVEN:
-                self._others[name] = negated(Sym(name)) if sign == ODD else Sym(f"{name}_other")
+    def _tell_other(self, name: str) -> None:
+        """What a name stands for at the second root."""
+        if self._signs[name] is None:
+            self._others[name] = Sym(f"{name}_other")
+        elif self._signs[name] == -1:
+            self._others[name] = negated(Sym(name))
 
     def _solve(self, step: Step, level: int, number: int) -> None:
         """A kernel with one root."""
         self._call(step, step.inputs, "", level, number)
-        if not self._is_last(level):
-            return
-        signs = of_outputs(step, self._parities)
-        if None in signs.values():
-            changed = {name: substituted(value, self._others) for name, value in step.inputs.items()}
-            self._call(step, changed, "_other", level, number)
-            signs = dict.fromkeys(signs)
-        self._settle(signs)
+        if self._is_last(level):
+            if None in (self._signs[name] for name in step.outputs):
+                changed = {name: replaced(value, self._others) for name, value in step.inputs.items()}
+                self._call(step, changed, "_other", level, number)
+            for name in step.outputs:
+                self._tell_other(name)
 
     def _call(self, step: Step, inputs: dict[str, Tree], suffix: str, level: int, number: int) -> None:
         names = [f"{name}{suffix}" for name in step.outputs]
@@ -222,14 +245,14 @@ class Loops:
                 if rooted:
                     self._keep_roots(name, number)
             return
-        self._settle(of_roots(step))
         for name, rooted in used:
             self._own(name, number)
             if rooted:
                 self._code(number, f"const double {name} = {name}_roots[0];")
-            if self._parities[name] is None:
+            if self._signs[name] is None:
                 self._code(number, f"const double {name}_other = {name}_roots[1];")
                 self._own(f"{name}_other", number)
+            self._tell_other(name)
 
     def _printed(self, step: Step, inputs: dict[str, Tree], number: int) -> list[str]:
         self._use(inputs.values(), number)
