@@ -41,18 +41,27 @@ class Angle:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Length:
+    """A joint value that the branches give, and how it changes with the root of the last branching step."""
+
+    name: str
+    level: int
+    sign: Sign
+
+
+@dataclass(frozen=True, kw_only=True)
 class Ending:
     """How the solutions follow from what the branches leave.
 
     angles    what is taken of pairs, in order.
     sums      values that are sums of angles, in order.
-    lengths   joint values that are known in the branches, each with what a mirrored root makes of it.
+    lengths   the other joint values that are solved for.
     mirrored  whether the last branching step has mirror images for roots: what follows it is computed for the first alone.
     """
 
     angles: tuple[Angle, ...]
     sums: tuple[Assign, ...]
-    lengths: tuple[tuple[str, Sign], ...]
+    lengths: tuple[Length, ...]
     mirrored: bool
 
     @property
@@ -89,7 +98,9 @@ def ending(schedule: Schedule, statements: tuple[Statement, ...]) -> Ending:
         angles=tuple(angles),
         sums=tuple(item for item in assigns if item.name in late and not _is_pair(item.value)),
         lengths=tuple(
-            (name, last.get(name, 1)) for name in schedule.solution if name not in late and levels.get(name, 0) > 0
+            Length(name=name, level=levels[name], sign=last.get(name, 1))
+            for name in schedule.solution
+            if name in levels and name not in late
         ),
         mirrored=_is_mirrored(schedule, statements, late, last),
     )
@@ -149,9 +160,7 @@ def _angle(schedule: Schedule, item: Assign, found: dict[int, dict[str, Sign]], 
     )
 
 
-def _is_mirrored(
-    schedule: Schedule, statements: tuple[Statement, ...], late: set[str], last: dict[str, Sign]
-) -> bool:
+def _is_mirrored(schedule: Schedule, statements: tuple[Statement, ...], late: set[str], last: dict[str, Sign]) -> bool:
     steps = [item.step for item in statements if isinstance(item, Solve) and item.step.branches > 1]
     if not steps or steps[-1].rule not in _HALF_TURN:
         return False

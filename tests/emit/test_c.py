@@ -58,7 +58,14 @@ def test_agrees_with_numpy_at_random_poses(make: Callable[[], Schedule]) -> None
 def test_agrees_with_numpy_at_singular_poses(kind: str) -> None:
     module, library = both(puma)
     for q in puma_poses(kind, 100):
-        _same(module, library, q, q)
+        pose = module.fk(q)
+        count, solutions = library.ik(pose, q)
+        expected = module.ik(pose, reference=q)
+        assert count == len(expected)
+        # Next to a singular pose digits of the angles are lost, in each language others, and none of the pose.
+        assert (same_angles(solutions, expected) < 0.1).all()
+        for solution in solutions:
+            np.testing.assert_allclose(library.fk(solution), pose, atol=1e-12)
 
 
 def _same(module: Any, library: CLibrary, q: np.ndarray, reference: np.ndarray | None) -> None:

@@ -52,7 +52,10 @@ def c_ending(schedule: Schedule, needs: InverseNeeds, statements: tuple[View, ..
         "word": word,
         "packed": " | ".join(_shifted(call.mark, place, word) for place, call in enumerate(calls)),
         "unpacked": [(call.mark, _unpacked(place, word)) for place, call in enumerate(calls)],
-        "twin_free": next((_shifted("IS_FREE", k, word) for k, c in enumerate(calls) if c.branch == schedule.depth), ""),
+        "twin_free": next(
+            (_shifted("IS_FREE", k, word) for k, c in enumerate(calls) if c.branch == schedule.depth), ""
+        ),
+        "stored": [item.name for item in end.lengths if min(item.level, schedule.depth - end.mirrored) > 0],
         "branch": _number(schedule, schedule.depth - end.mirrored),
         "digits": _digits(schedule, end, taken),
         "taken": [*taken, *((name, printer(tree)) for name, tree in sums.items())],
@@ -148,7 +151,7 @@ def _twins(schedule: Schedule, end: Ending, sums: Mapping[str, Tree]) -> list[Tr
     """The joint values of the mirror image of a solution."""
     if not end.mirrored:
         return []
-    images: dict[str, Tree] = {name: negated(Sym(name)) for name, change in end.lengths if change == -1}
+    images: dict[str, Tree] = {item.name: negated(Sym(item.name)) for item in end.lengths if item.sign == -1}
     for angle in end.angles:
         for level, change in angle.changes:
             if level == schedule.depth:
@@ -187,8 +190,6 @@ def _functions(tree: Tree) -> Iterator[str]:
 def _all_functions(schedule: Schedule, needs: InverseNeeds, end: Ending, made: set[str]) -> set[str]:
     """The functions that the source calls; sums are not wrapped where they are printed as something else."""
     other = [item for item in needs.statements if not (isinstance(item, Assign) and item.name in end.names)]
-    wrapped = needs.marked or any(
-        "wrap" in _functions(item.value) for item in other if isinstance(item, Assign)
-    )
+    wrapped = needs.marked or any("wrap" in _functions(item.value) for item in other if isinstance(item, Assign))
     used = set(functions_used(schedule)) | made
     return used if wrapped or "wrap" in made else used - {"wrap"}
