@@ -17,8 +17,8 @@ SINGLE_LIMIT = 1e-12
 def hold_batch(ledger: Ledger, target: CSolver, judge: Judge, *, poses: Floats, q: Floats) -> None:
     """The same numbers of solutions, in the same order, whole turns aside.
 
-    ``poses`` (m, 4, 4) are those of ``q`` (m, n); free joints take 0 in both, joints that are held their value in q. What
-    is no pose is refused among others.
+    ``poses`` (m, 4, 4) are those of ``q`` (m, n); free joints take 0 in both, joints that are held their value in
+    q. What is no pose is refused among others.
     """
     reference = np.where(judge.kinematics.free, 0.0, q)
     (single, count), (batch, batch_count) = target.inverse(poses, reference), target.inverse_batch(poses, reference)

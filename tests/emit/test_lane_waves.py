@@ -41,7 +41,8 @@ def angles() -> np.ndarray:
     random = np.random.default_rng(12)
     eighths = random.integers(-12700, 12700, 1500) * (np.pi / 4)
     beside = random.normal(size=1500) * 10.0 ** random.uniform(-16.0, -1.0, 1500)
-    return np.hstack([random.uniform(-4.0, 4.0, 1500), random.uniform(-FARTHEST, FARTHEST, 1500), eighths + beside, 0.0])
+    anywhere = random.uniform(-4.0, 4.0, 1500), random.uniform(-FARTHEST, FARTHEST, 1500)
+    return np.hstack([*anywhere, eighths + beside, 0.0])
 
 
 def many(library: ctypes.CDLL, name: str, x: np.ndarray) -> np.ndarray:

@@ -19,7 +19,6 @@ from kinsym.emit.source.needs import ENTRIES, InverseNeeds
 from kinsym.emit.symmetry import Sign, sign, signs
 from kinsym.inverse.plan import Definition, Step
 
-
 #: Functions whose values are angles in (-pi, pi], and how many of these make a sum that is at most one turn outside.
 _IN_A_TURN = frozenset({"atan2", "half_turn", "opposite", "unwound", "wrap"})
 _ONE_TURN = 3
@@ -98,10 +97,10 @@ def _values(statement: Statement) -> tuple[Tree, ...]:
 
 def _change(value: Tree, known: Mapping[str, Sign]) -> str | None:
     """What becomes of an angle at the second root; None if that is not known, or ``value`` is no angle."""
-    match value:
-        case Call("atan2", (sine, cosine)):
-            return CHANGES.get((sign(sine, known), sign(cosine, known)))
-    return None
+    if not isinstance(value, Call) or value.function != "atan2":
+        return None
+    sine, cosine = (sign(part, known) for part in value.arguments)
+    return None if sine is None or cosine is None else CHANGES[sine, cosine]
 
 
 class Loops:
@@ -114,7 +113,7 @@ class Loops:
         self.functions: set[str] = set()
         self._schedule, self._needs, self._printer = schedule, needs, printer
         self._fixed = [item for item in needs.constants if item not in given]
-        self._constant = {item.name for item in (*schedule.parameters, *self._fixed)}
+        self._constant = {*(item.name for item in schedule.parameters), *(item.name for item in self._fixed)}
         self._read: set[str] = set()
         self._local: list[set[str]] = [set() for _ in self.loops]
         self._homes: dict[str, int] = {}
