@@ -15,7 +15,7 @@ from kinsym.emit.schedule import Assign, Note, Schedule, Solve, Statement
 from kinsym.emit.symmetry import Sign, sign, signs
 
 #: What the second root of a step makes of an angle, by the signs of its sine and its cosine.
-CHANGES = {(1, 1): "", (-1, -1): "half_turn", (-1, 1): "opposite", (1, -1): "supplement"}
+CHANGES: dict[tuple[Sign, Sign], str] = {(1, 1): "", (-1, -1): "half_turn", (-1, 1): "opposite", (1, -1): "supplement"}
 #: The rules whose second root is there wherever the first is, unless the unknown is free.
 _HALF_TURN = ("homogeneous", "homogeneous2")
 _LANES = 4
@@ -56,7 +56,7 @@ class Ending:
     angles    what is taken of pairs, in order.
     sums      values that are sums of angles, in order.
     lengths   the other joint values that are solved for.
-    mirrored  whether the last branching step has mirror images for roots: what follows it is computed for the first alone.
+    mirrored  whether the last branching step has mirror images for roots: what follows it is computed for one alone.
     """
 
     angles: tuple[Angle, ...]

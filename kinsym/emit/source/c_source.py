@@ -16,13 +16,13 @@ from kinsym.emit.environment import render
 from kinsym.emit.printer import Printer, decimal
 from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.banner import banner, c_comment
-from kinsym.emit.source.c_general import general_names
 from kinsym.emit.source.c_ending import c_ending
+from kinsym.emit.source.c_general import general_names
 from kinsym.emit.source.control import c_limits, control_names
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import kernels_used
 from kinsym.emit.source.marks import c_marks
-from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
+from kinsym.emit.source.needs import ENTRIES, InverseNeeds, inverse_needs, line_needs
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
 from kinsym.emit.source.wrapping import WIDTH, cut, fill
@@ -66,7 +66,7 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "fields": [*(parameter.name for parameter in schedule.parameters), *schedule.inputs],
         "heads": _heads(schedule, marking["ending"], inverse.marked, ending["word"]),
         "usable": _usable(schedule),
-        "banner": [c_comment(line) for line in banner(schedule)],
+        "banner": [c_comment(line) for line in banner(schedule, shared=True)],
         "singular": [c_comment(line) for line in singular_lines(schedule)],
         "inverse": inverse,
         "entries": _entries(inverse),
