@@ -83,16 +83,13 @@ class Ending:
 def ending(schedule: Schedule, statements: tuple[Statement, ...]) -> Ending:
     """The end of a schedule, whose statements that count are given."""
     assigns = [item for item in statements if isinstance(item, Assign)]
-    late = _late(statements, assigns)
+    levels = _levels(statements)
+    late = _late(statements, assigns, levels)
     found = {level: signs(statements, level) for level in range(1, schedule.depth + 1)}
     angles: list[Angle] = []
     for item in assigns:
         if item.name in late and _is_pair(item.value):
             angles.append(_angle(schedule, item, found, sum(angle.count for angle in angles)))
-    levels = {item.name: item.level for item in assigns}
-    for statement in statements:
-        if isinstance(statement, Solve):
-            levels |= dict.fromkeys(statement.step.outputs, statement.level + (statement.step.branches > 1))
     last = found.get(schedule.depth, {})
     return Ending(
         angles=tuple(angles),
@@ -104,6 +101,17 @@ def ending(schedule: Schedule, statements: tuple[Statement, ...]) -> Ending:
         ),
         mirrored=_is_mirrored(schedule, statements, late, last),
     )
+
+
+def _levels(statements: Iterable[Statement]) -> dict[str, int]:
+    """The level at which each name is known."""
+    levels: dict[str, int] = {}
+    for statement in statements:
+        if isinstance(statement, Assign):
+            levels[statement.name] = statement.level
+        elif isinstance(statement, Solve):
+            levels |= dict.fromkeys(statement.step.outputs, statement.level + (statement.step.branches > 1))
+    return levels
 
 
 def summands(tree: Tree, names: Iterable[str]) -> int | None:
@@ -119,9 +127,8 @@ def _is_pair(tree: Tree) -> bool:
     return isinstance(tree, Call) and tree.function == "atan2"
 
 
-def _late(statements: Iterable[Statement], assigns: list[Assign]) -> set[str]:
+def _late(statements: Iterable[Statement], assigns: list[Assign], levels: dict[str, int]) -> set[str]:
     """The assignments that nothing in the branches reads: pairs' angles and what is made of these and of constants."""
-    levels = {item.name: item.level for item in assigns}
     early: set[str] = set()
     while True:
         late: set[str] = set()
