@@ -1,7 +1,7 @@
 """Products and sums that occur more than once get a name, so that they are computed once.
 
-Two factors or two terms at a time: the pair that occurs most often is named first, of equals the one that comes first. Sums
-are the same up to a sign.
+Two factors or two terms at a time: the pair that occurs most often is named first, of equals the one that comes first.
+Sums are the same up to a sign.
 """
 
 from __future__ import annotations
