@@ -15,10 +15,12 @@ from kinsym.emit.schedule import Assign, Note, Schedule, Solve, Statement
 from kinsym.emit.symmetry import Sign, sign, signs
 
 #: What the second root of a step makes of an angle, by the signs of its sine and its cosine.
-CHANGES = {(1, 1): "", (-1, -1): "half_turn", (-1, 1): "opposite", (1, -1): "supplement"}
+CHANGES: dict[tuple[Sign, Sign], str] = {(1, 1): "", (-1, -1): "half_turn", (-1, 1): "opposite", (1, -1): "supplement"}
 #: The rules whose second root is there wherever the first is, unless the unknown is free.
 _HALF_TURN = ("homogeneous", "homogeneous2")
 _LANES = 4
+#: A sum of so many angles in (-pi, pi] needs one whole turn at most to be there again.
+ONE_TURN = 3
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -56,7 +58,7 @@ class Ending:
     angles    what is taken of pairs, in order.
     sums      values that are sums of angles, in order.
     lengths   the other joint values that are solved for.
-    mirrored  whether the last branching step has mirror images for roots: what follows it is computed for the first alone.
+    mirrored  whether the last branching step has mirror images for roots: what follows it is computed for one alone.
     """
 
     angles: tuple[Angle, ...]
@@ -83,16 +85,13 @@ class Ending:
 def ending(schedule: Schedule, statements: tuple[Statement, ...]) -> Ending:
     """The end of a schedule, whose statements that count are given."""
     assigns = [item for item in statements if isinstance(item, Assign)]
-    late = _late(statements, assigns)
+    levels = _levels(statements)
+    late = _late(statements, assigns, levels)
     found = {level: signs(statements, level) for level in range(1, schedule.depth + 1)}
     angles: list[Angle] = []
     for item in assigns:
         if item.name in late and _is_pair(item.value):
             angles.append(_angle(schedule, item, found, sum(angle.count for angle in angles)))
-    levels = {item.name: item.level for item in assigns}
-    for statement in statements:
-        if isinstance(statement, Solve):
-            levels |= dict.fromkeys(statement.step.outputs, statement.level + (statement.step.branches > 1))
     last = found.get(schedule.depth, {})
     return Ending(
         angles=tuple(angles),
@@ -104,6 +103,17 @@ def ending(schedule: Schedule, statements: tuple[Statement, ...]) -> Ending:
         ),
         mirrored=_is_mirrored(schedule, statements, late, last),
     )
+
+
+def _levels(statements: Iterable[Statement]) -> dict[str, int]:
+    """The level at which each name is known."""
+    levels: dict[str, int] = {}
+    for statement in statements:
+        if isinstance(statement, Assign):
+            levels[statement.name] = statement.level
+        elif isinstance(statement, Solve):
+            levels |= dict.fromkeys(statement.step.outputs, statement.level + (statement.step.branches > 1))
+    return levels
 
 
 def summands(tree: Tree, names: Iterable[str]) -> int | None:
@@ -119,9 +129,8 @@ def _is_pair(tree: Tree) -> bool:
     return isinstance(tree, Call) and tree.function == "atan2"
 
 
-def _late(statements: Iterable[Statement], assigns: list[Assign]) -> set[str]:
+def _late(statements: Iterable[Statement], assigns: list[Assign], levels: dict[str, int]) -> set[str]:
     """The assignments that nothing in the branches reads: pairs' angles and what is made of these and of constants."""
-    levels = {item.name: item.level for item in assigns}
     early: set[str] = set()
     while True:
         late: set[str] = set()

@@ -1,9 +1,9 @@
 """Quantities that differ between the roots of a step in their sign alone.
 
 The roots of a homogeneous equation lie half a turn apart, c and s change their signs; those of a triangle are mirror
-images, w changes its sign. What follows from there by products and by sums of terms that change alike keeps its size, in
-floating point to the last bit, so that an angle of the second root follows from that of the first by half a turn
-or a change of sign.
+images, w changes its sign. What follows from there by products and by sums of terms that change alike keeps its
+size, in floating point to the last bit, so that an angle of the second root follows from that of the first by
+half a turn or a change of sign.
 """
 
 from __future__ import annotations

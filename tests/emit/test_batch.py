@@ -181,4 +181,4 @@ def test_the_header_tells_which_arms_are_solved_in_a_loop() -> None:
     for name in (*LANES, *LOOPED):
         header = TARGETS["c"](library(name).schedule)[f"{library(name).schedule.name}.h"]
         assert ("this is a loop over ik_near" in header) == (name in LOOPED)
-        assert ("-O3 -march=native" in header) == (name not in LOOPED)
+        assert ("-mavx2 -mfma" in header) == (name not in LOOPED)

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from math import prod
 from typing import Any
 
-from kinsym.algebra.tree import Call, Prod, Sum, Sym, Tree, children, negated
-from kinsym.emit.ending import Angle, Ending, ending, summands
+from kinsym.algebra.tree import Call, Sym, Tree, children, negated, replaced
+from kinsym.emit.ending import ONE_TURN, Angle, Ending, ending, summands
 from kinsym.emit.printer import Printer
 from kinsym.emit.schedule import Assign, Schedule
 from kinsym.emit.source.needs import InverseNeeds, functions_used
@@ -17,8 +17,6 @@ from kinsym.emit.source.statements import Assignment, KernelCall, View
 
 #: Bits of a mark, and how many marks an int has room for.
 _BITS, _MOST = 4, 7
-#: A sum of so many angles needs one whole turn at most to be in (-pi, pi].
-_ONE_TURN = 3
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -142,7 +140,7 @@ def _digits(schedule: Schedule, end: Ending, taken: list[tuple[str, str]]) -> li
 def _unwound(tree: Tree, end: Ending) -> Tree:
     """A wrapped sum of few angles is at most one turn away."""
     count = summands(tree, end.names)
-    if count is None or count > _ONE_TURN:
+    if count is None or count > ONE_TURN:
         return tree
     return Call("unwound", children(tree))
 
@@ -160,24 +158,10 @@ def _twins(schedule: Schedule, end: Ending, sums: Mapping[str, Tree]) -> list[Tr
                     image = Call(function, (image,))
                 images[angle.name] = image
     for name, tree in sums.items():
-        image = _replaced(tree, images)
+        image = replaced(tree, images)
         if image != tree:
             images[name] = image
     return [images.get(name, Sym(name)) for name in schedule.solution]
-
-
-def _replaced(tree: Tree, images: Mapping[str, Tree]) -> Tree:
-    match tree:
-        case Sym(name):
-            return images.get(name, tree)
-        case Sum(terms):
-            return Sum(tuple(_replaced(term, images) for term in terms))
-        case Prod(factors):
-            return Prod(tuple(_replaced(factor, images) for factor in factors))
-        case Call(function, arguments):
-            return Call(function, tuple(_replaced(argument, images) for argument in arguments))
-        case _:
-            return tree
 
 
 def _functions(tree: Tree) -> Iterator[str]:

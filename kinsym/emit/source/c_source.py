@@ -74,7 +74,7 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "fields": [*(parameter.name for parameter in schedule.parameters), *schedule.inputs],
         "heads": _heads(schedule, marking["ending"], inverse.marked, ending["word"]),
         "usable": _usable(schedule),
-        "banner": [c_comment(line) for line in banner(schedule)],
+        "banner": [c_comment(line) for line in banner(schedule, shared=True)],
         "singular": [c_comment(line) for line in singular_lines(schedule)],
         "inverse": inverse,
         "entries": _entries(inverse),

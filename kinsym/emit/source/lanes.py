@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from kinsym.algebra.tree import Call, Sym, Tree, children, negated, replaced, symbols
-from kinsym.emit.ending import CHANGES, summands
+from kinsym.emit.ending import CHANGES, ONE_TURN, summands
 from kinsym.emit.printer import Printer
 from kinsym.emit.schedule import Assign, Note, Schedule, Solve, Statement
 from kinsym.emit.source.kernels import KERNELS
@@ -19,9 +19,8 @@ from kinsym.emit.source.needs import ENTRIES, InverseNeeds
 from kinsym.emit.symmetry import Sign, sign, signs
 from kinsym.inverse.plan import Definition, Step
 
-#: Functions whose values are angles in (-pi, pi], and how many of these make a sum that is at most one turn outside.
+#: Functions whose values are angles in (-pi, pi].
 _IN_A_TURN = frozenset({"atan2", "half_turn", "opposite", "unwound", "wrap"})
-_ONE_TURN = 3
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -100,7 +99,7 @@ def _change(value: Tree, known: Mapping[str, Sign]) -> str | None:
     if not isinstance(value, Call) or value.function != "atan2":
         return None
     sine, cosine = (sign(part, known) for part in value.arguments)
-    return None if sine is None or cosine is None else CHANGES[sine, cosine]
+    return CHANGES.get((sine, cosine))
 
 
 class Loops:
@@ -177,7 +176,7 @@ class Loops:
 
     def _define(self, name: str, value: Tree, number: int) -> None:
         count = summands(value, self._angles)
-        if count is not None and count <= _ONE_TURN:
+        if count is not None and count <= ONE_TURN:
             value = Call("unwound", children(value))
         functions = set(_functions(value))
         self.functions |= functions
