@@ -44,6 +44,7 @@ def c_ending(schedule: Schedule, needs: InverseNeeds, statements: tuple[View, ..
     made |= {name for _, text in taken for name in ("half_turn", "opposite") if f"{name}(" in text}
     return {
         "end": end,
+        "places": ", ".join(f"{angle.name}_at = {angle.start}" for angle in end.angles),
         "statements": _views(schedule, end, statements, printer),
         "loops": schedule.depth - end.mirrored,
         "arms": schedule.maximum // (2 if end.mirrored else 1),
