@@ -86,7 +86,7 @@ def test_nothing_that_nobody_reads_is_computed() -> None:
     assert "unread" not in source
     assert "solve_quadratic" not in source
     assert "_quotient" not in source
-    assert "theta6 = q[5]" not in TARGETS["c"](puma())["puma.c"].partition("puma_jacobian")[2]
+    assert "theta6 = q[5];" not in TARGETS["c"](puma())["puma.c"].partition("puma_jacobian")[2]
 
 
 def test_same_bytes() -> None:
