@@ -117,7 +117,7 @@ def test_shapes(lead: tuple[int, ...]) -> None:
     assert valid.shape == (*lead, 8)
     for place in np.ndindex(lead):
         one = PUMA.ik(poses[place], reference=q[place])
-        np.testing.assert_array_equal(one, solutions[place][valid[place]])
+        np.testing.assert_allclose(one, solutions[place][valid[place]], rtol=0, atol=1e-14)
 
 
 def test_blocks_do_not_show() -> None:
@@ -203,6 +203,15 @@ def test_rotation_off_by_rounding_is_mended() -> None:
     assert np.median(found) < 1e-7
     closure = np.abs(PUMA.fk(np.where(valid[..., None], q, 0.0)) - poses[:, None]).max(axis=(-2, -1))
     assert closure[valid].max() < 1e-8
+
+
+def test_the_pose_that_is_mended_is_a_copy() -> None:
+    pose = PUMA.fk(np.full(6, 0.4))
+    pose[0, 0] += 1e-9
+    before = pose.copy()
+    for solve in (PUMA.ik, PUMA.ik_batch, PUMA.solve):
+        solve(pose)
+        np.testing.assert_array_equal(pose, before)
 
 
 def test_constants() -> None:
