@@ -58,7 +58,8 @@ class Ring:
     def __init__(self, generators: Iterable[Generator]) -> None:
         self.generators = tuple(generators)
         self.ring = PolyRing([g.name for g in self.generators], QQ, lex)
-        self.index = {g.name: i for i, g in enumerate(self.generators)}
+        self._names = [g.name for g in self.generators]
+        self.index = {name: i for i, name in enumerate(self._names)}
         self.zero: Poly = self.ring.zero
         self.one: Poly = self.ring.one
         self._squares: dict[int, Poly] = {}
@@ -119,12 +120,7 @@ class Ring:
 
     def used(self, poly: Poly) -> tuple[str, ...]:
         """The names of the generators that occur, in the order of the ring."""
-        seen = [False] * len(self.generators)
-        for monomial in poly:
-            for i, exponent in enumerate(monomial):
-                if exponent:
-                    seen[i] = True
-        return tuple(g.name for g, present in zip(self.generators, seen, strict=True) if present)
+        return tuple(self._names[i] for i, exponents in enumerate(zip(*poly, strict=True)) if any(exponents))
 
     def collect(self, poly: Poly, names: Sequence[str]) -> dict[tuple[int, ...], Poly]:
         """The coefficients of the monomials in some generators; keys are exponents in the order of ``names``."""

@@ -7,6 +7,8 @@ inverse equation and the squared distance of the cuts; all are linear in the cos
 
 from __future__ import annotations
 
+from functools import cached_property
+
 from kinsym.algebra.ring import Poly, Vector, apply, minus, plus, transpose
 from kinsym.inverse.state import State
 from kinsym.kinematics.links import Rigid
@@ -35,6 +37,10 @@ class Cut:
             self.inside = (*state.moves[first : stop - 1], Moves(self.ring, last, state.known.turn))
 
     def __str__(self) -> str:
+        return self._words
+
+    @cached_property
+    def _words(self) -> str:
         """The equation in words: A1^-1 T_0_6 = A2 A3 A4 A5 A6."""
         state = self.state
         link = link_letter(state.chain.robot)
