@@ -64,6 +64,7 @@ def numpy_source(schedule: Schedule) -> dict[str, str]:
         "functions": functions_used(schedule),
         "gate": gate_entries(schedule.task),
         "place": ENTRIES,
+        "tuple": tuple,
         "shape": "".join(f"{width}, " for width in reversed(schedule.widths)),
         "paired": set(schedule.widths) <= {2},
         "axes": list(range(schedule.depth, -1, -1)),
@@ -122,7 +123,7 @@ def _signatures(schedule: Schedule, inverse: InverseNeeds) -> dict[str, Any]:
         "public_control": lambda name, first, options: head(name, first, [*schedule.inputs, *options, *keywords]),
         "public_ik": lambda name, first: head(name, [first], [*schedule.inputs, "reference=None", *keywords]),
         "blocks_call": ["T", "reference", f"({', '.join(solving)}{',' if len(solving) == 1 else ''})", *locked],
-        "solve_head": head("_solve", [*arguments, *schedule.inputs, *solving]),
+        "solve_head": head("_solve", ["q", "valid", *arguments, *schedule.inputs, *solving]),
         "solve_call": [
             *(name if name != "reference" else "near[part].T" for name in arguments),
             *(["*(value[part] for value in given)"] if schedule.inputs else []),
