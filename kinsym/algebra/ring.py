@@ -83,11 +83,11 @@ class Ring:
     def reduce(self, poly: Poly) -> Poly:
         """The normal form: no generator with a known square occurs to a power above one."""
         squares = self._squares
-        while any(max(monomial, default=0) > 1 for monomial in poly):
+        while poly and max(map(max, poly)) > 1:
             result = self.ring.zero
             changed = False
             for monomial, coefficient in poly.terms():
-                high = () if max(monomial, default=0) < 2 else [i for i in squares if monomial[i] > 1]
+                high = () if max(monomial) < 2 else [i for i in squares if monomial[i] > 1]
                 if not high:
                     _add_term(result, monomial, coefficient)
                     continue
@@ -112,11 +112,12 @@ class Ring:
 
     def dot(self, left: Sequence[Poly], right: Sequence[Poly]) -> Poly:
         """The reduced sum of products."""
-        total = self.zero
+        total = None
         for x, y in zip(left, right, strict=True):
             if x and y:
-                total += x * y
-        return self.reduce(total)
+                product = y if x is self.one else x if y is self.one else x * y
+                total = product if total is None else total + product
+        return self.zero if total is None else self.reduce(total)
 
     def used(self, poly: Poly) -> tuple[str, ...]:
         """The names of the generators that occur, in the order of the ring."""

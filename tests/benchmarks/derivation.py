@@ -2,7 +2,7 @@
 
 Every run is a process of its own, as a user starts it, and runs no checks. As in an installed package the bytecode is
 there; it goes into a folder of its own. The best of three is shown, in seconds on the wall and of the processor. The
-limit is on the processor's, so that a busy machine changes nothing: 1.5 s for the robots of the lecture, 3 s for others.
+limit is on the latter, so that a busy machine changes little: 1.5 s for the robots of the lecture, 3 s for others.
 """
 
 from __future__ import annotations
