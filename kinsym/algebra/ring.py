@@ -83,7 +83,7 @@ class Ring:
     def reduce(self, poly: Poly) -> Poly:
         """The normal form: no generator with a known square occurs to a power above one."""
         squares = self._squares
-        while poly and max(map(max, poly)) > 1:
+        while squares and poly and max(map(max, poly)) > 1:
             result = self.ring.zero
             changed = False
             for monomial, coefficient in poly.terms():

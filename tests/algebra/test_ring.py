@@ -52,6 +52,12 @@ def test_sum_of_products(pairs: list[tuple[list, list]]) -> None:
     assert RING.dot([], []) == RING.zero
 
 
+def test_a_ring_of_numbers_alone() -> None:
+    """An arm of slides at right angles has no cosine, no length and no parameter."""
+    ring = Ring([])
+    assert ring.dot([ring.one, ring.number(2)], [ring.number(3), ring.number(4)]) == ring.number(11)
+
+
 def point(seed: int) -> dict[str, int]:
     """A random point of the variety."""
     generator = random.Random(seed)

@@ -18,7 +18,21 @@ from tests.emit.kernel_calls import T, marked_in_numpy
 
 NEAR = 2.0**26
 RULES = [rule for rule, kernel in KERNELS.items() if not kernel.plain and rule != "quartic"]
-ARMS = ["puma560", "ur5", "stanford_arm", "scorbot_5r", "planar_rrr_paul", "spherical_wrist", "skew_wrist", "single"]
+ARMS = [
+    "puma560",
+    "ur5",
+    "stanford_arm",
+    "scorbot_5r",
+    "planar_rrr_paul",
+    "spherical_wrist",
+    "skew_wrist",
+    "screw",
+    "slides_between",
+    "planar_rpr",
+    "three_slides",
+    "single",
+]
+"""Arms that use every kernel, one that is sifted, and one without any kernel."""
 
 
 class Special(ArithmeticError):
@@ -74,17 +88,30 @@ def test_a_kernel_gives_nothing_that_is_no_number(rule: str, value: float) -> No
                 assert not math.isfinite(value)
 
 
-@pytest.mark.parametrize("name", ARMS)
+def parameters(module: Any) -> dict[str, float]:
+    """The values of the table; lengths that it leaves open differ."""
+    values = enumerate(module.PARAMETERS.items())
+    return {name: 0.3 + 0.1 * place if value is None else value for place, (name, value) in values}
+
+
+def locked(module: Any, q: np.ndarray) -> dict[str, float]:
+    """The values in a joint vector of those joints that the caller has to give."""
+    names = [name for name, value in getattr(module, "LOCKED", {}).items() if value is None]
+    return {name: q[module.JOINTS.index(name)] for name in names}
+
+
+@pytest.mark.parametrize("name", [*ARMS, "kuka_iiwa"])
 def test_one_pose_is_answered_as_many_are(name: str) -> None:
     module, rng = numpy_module(name), np.random.default_rng(4)
-    given = {key: 0.4 if value is None else value for key, value in module.PARAMETERS.items()}
+    given = parameters(module)
     known = rng.uniform(-3.0, 3.0, (120, len(module.JOINTS)))
     known[80:] = np.round(known[80:] * 2.0 / np.pi) * np.pi / 2.0
     poses = module.fk(known, **given)
     poses[40:80, :3, :3] += rng.uniform(-1e-9, 1e-9, (40, 3, 3))
-    q, valid = module.ik_batch(poses, reference=known, **given)
+    q, valid = module.ik_batch(poses, reference=known, **locked(module, known.T), **given)
     for row, pose in enumerate(poses):
-        alone, solved = (f(pose, reference=known[row], **given) for f in (module.ik, module.solve))
+        inputs = {"reference": known[row], **locked(module, known[row]), **given}
+        alone, solved = module.ik(pose, **inputs), module.solve(pose, **inputs)
         gap = alone - q[row][valid[row]]
         assert np.abs(np.where(np.abs(gap) > 6.0, np.abs(gap) - 2.0 * np.pi, gap)).max(initial=0.0) < 1e-12
         np.testing.assert_array_equal(alone, solved.q)
@@ -102,15 +129,16 @@ def _arrays_used(module: Any, monkeypatch: pytest.MonkeyPatch) -> list[int]:
 def test_an_ordinary_pose_needs_no_arrays(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     module = numpy_module(name)
     calls = _arrays_used(module, monkeypatch)
-    given = {key: 0.4 if value is None else value for key, value in module.PARAMETERS.items()}
+    given = parameters(module)
     known = np.linspace(0.3, 0.9, len(module.JOINTS))
-    found = module.ik(module.fk(known, **given).tolist(), **given)
+    inputs = {**locked(module, known), **given}
+    found = module.ik(module.fk(known, **given).tolist(), **inputs)
     assert np.abs(found - known).max(axis=1).min() < 1e-12
     far = np.eye(4)
     far[:3, 3] = 300.0, 400.0, 500.0
-    if name not in ("spherical_wrist", "stanford_arm"):
-        assert module.ik(far, **given).shape == (0, len(module.JOINTS))
-        assert module.solve(far, **given).status == "unreachable"
+    if "P" not in module.JOINT_TYPES and name != "spherical_wrist":
+        assert module.ik(far, **inputs).shape == (0, len(module.JOINTS))
+        assert module.solve(far, **inputs).status == "unreachable"
     assert not calls
 
 
