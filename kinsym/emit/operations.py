@@ -31,10 +31,17 @@ class Operations:
     atan2: int = 0
 
     def __add__(self, other: Operations) -> Operations:
-        return Operations(*(a + b for a, b in zip(astuple(self), astuple(other), strict=True)))
+        return Operations(
+            self.additions + other.additions,
+            self.multiplications + other.multiplications,
+            self.divisions + other.divisions,
+            self.roots + other.roots,
+            self.sincos + other.sincos,
+            self.atan2 + other.atan2,
+        )
 
     def __mul__(self, times: int) -> Operations:
-        return Operations(*(a * times for a in astuple(self)))
+        return Operations(*(count * times for count in astuple(self)))
 
     def __str__(self) -> str:
         kinds = ("+ -", "*", "/", "sqrt", "sincos", "atan2")

@@ -123,14 +123,20 @@ def functions_used(schedule: Schedule) -> frozenset[str]:
     for line in (schedule.forward, schedule.jacobian):
         needs = line_needs(schedule, line)
         trees += [item.value for item in (*needs.constants, *needs.definitions)]
-    trees += [item.value for item in (*inverse.constants, *held_needs(schedule).constants)]
+    trees += [item.value for item in held_needs(schedule).constants]
+    functions = {name for tree in trees for name in _functions(tree)} | inverse_functions(inverse)
+    return frozenset(functions | {"wrap"} if inverse.marked else functions)
+
+
+def inverse_functions(inverse: InverseNeeds) -> frozenset[str]:
+    """The functions that the statements of the inverse kinematics call."""
+    trees = [item.value for item in inverse.constants]
     for statement in inverse.statements:
         if isinstance(statement, Assign):
             trees.append(statement.value)
         elif isinstance(statement, Solve):
             trees += statement.step.inputs.values()
-    functions = {name for tree in trees for name in _functions(tree)}
-    return frozenset(functions | {"wrap"} if inverse.marked else functions)
+    return frozenset(name for tree in trees for name in _functions(tree))
 
 
 def _marks(statements: Iterable[Statement]) -> bool:
