@@ -1,6 +1,7 @@
 """From an arm without a closed form to its plan.
 
-Five joints whose task leaves the turn about the tool's axis open are completed by a virtual joint that makes it.
+Five joints are completed by a virtual one. Where the task leaves the turn about the tool's axis open, it makes that
+turn; where the task is a whole pose, of which five joints reach few, only solutions count in which it stands still.
 """
 
 from __future__ import annotations
@@ -18,8 +19,8 @@ from kinsym.robot.model import Task
 
 def general_plan(chain: Chain, task: Task, why: str, deadline: Deadline = NO_LIMIT) -> GeneralPlan | None:
     """The plan of a six-joint arm that a verdict leaves without a closed form; None if it has none either."""
-    arm = six_joints(chain)
-    if arm is None or task is not (Task.POSITION_AXIS if arm.virtual else Task.POSE):
+    arm = six_joints(chain, task)
+    if arm is None or task not in ((Task.POSE, Task.POSITION_AXIS) if arm.virtual else (Task.POSE,)):
         return None
     if mobility(chain) < len(chain.joints):
         return None
@@ -41,6 +42,7 @@ def _plan(arm: Arm, task: Task, why: str, cuts: tuple[Cut, ...], suppressed: tup
         suppressed=suppressed,
         maximum=8 if suppressed else 16,
         virtual=arm.virtual,
+        gate=arm.virtual and task is Task.POSE,
         size=arm_size(arm.chain),
         why=why,
     )

@@ -146,7 +146,6 @@ def _heads(schedule: Schedule, twins: bool) -> dict[str, Any]:
     size = ", double size" if gate_entries(schedule.task).position else ""
     pose, slopes = f"{parameters}, const double M[12], double size", f"D[ENTRIES][{joints}]"
     sliding = ", double size" if any(joint.kind == "P" for joint in schedule.joints) else ""
-    returned = "double" if schedule.gate and size else "void"
     called = f"const double T[16], {parameters}, const double reference[{joints}]"
     limits = f"const double lower[{joints}], const double upper[{joints}]"
     return {
@@ -174,7 +173,7 @@ def _heads(schedule: Schedule, twins: bool) -> dict[str, Any]:
         "double tau, double size)",
         "tidied": f"static int tidied({solutions}, {name}_mark marks[], const double alike[], int count{sliding})",
         "hold": f"static void hold(const {name}_params *p, double q[{joints}])",
-        "constant_motions": f"static {returned} constant_motions(const {name}_params *p, rigid_motion out[7])",
+        "constant_motions": f"static void constant_motions(const {name}_params *p, rigid_motion out[7])",
         "reaches": f"static int reaches({vector}, {parameters}, const double M[12], double tau{size})",
     }
 

@@ -81,7 +81,7 @@ def line_needs(schedule: Schedule, line: StraightLine) -> LineNeeds:
 def inverse_needs(schedule: Schedule) -> InverseNeeds:
     """The needs of the inverse kinematics; a gate and marked solutions read the tolerances as well."""
     names = set() if schedule.general else set(schedule.solution)
-    if schedule.gate:
+    if schedule.gate and not schedule.general:
         names |= {"tau", "size"} if gate_entries(schedule.task).position else {"tau"}
     if _marks(schedule.inverse):
         names |= {"tau", "size"}
