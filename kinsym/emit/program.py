@@ -53,6 +53,7 @@ def build_schedule(derivation: Derivation) -> Schedule:
         general=derivation.general,
         branches=derivation.branches.names,
         meanings=derivation.branches.meanings,
+        nonzero=plan.nonzero,
     )
 
 

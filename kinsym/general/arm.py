@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from types import MappingProxyType
 
 from kinsym.algebra.field import residue
 from kinsym.algebra.nested import nested
@@ -16,6 +18,7 @@ from kinsym.robot.model import Task
 
 JOINTS = 6
 
+NOTHING: Mapping[str, int] = MappingProxyType({})
 TILT = ((2, 3, 6), (3, -6, 2), (6, 2, -3))
 """Seven times a rotation whose z axis is in no special direction; it is its own inverse."""
 
@@ -42,10 +45,13 @@ class Arm:
             translation=tuple(nested(ring, entry) for entry in rigid.translation),
         )
 
-    def values(self, generator: random.Random) -> list[Motion]:
-        """L1 .. L6 modulo the prime, parameters at their values where they have one and anywhere where not."""
+    def values(self, generator: random.Random, zero: Mapping[str, int] = NOTHING) -> list[Motion]:
+        """L1 .. L6 modulo the prime, parameters at their values where they have one and anywhere where not.
+
+        ``zero`` holds the constants that are to have another value.
+        """
         given = {name: residue(value) for name, value in self.chain.robot.parameters.items() if value is not None}
-        names = self.chain.constants.sample(generator, given)
+        names = self.chain.constants.sample(generator, given | dict(zero))
         ring = self.chain.ring
         return [
             (

@@ -26,6 +26,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kinsym.algebra.tree import Tree
+from kinsym.inverse.plan import Nonzero
 from kinsym.robot.model import Task
 
 
@@ -111,7 +112,7 @@ class GeneralPlan:
     gate        the task fixes more than the joints can choose: of the solutions with the sixth joint those count in
                 which it stands still, in the end with the robot's own joints alone.
     maximum     the largest number of solutions.
-    size, tau   as in :class:`kinsym.inverse.plan.Plan`.
+    nonzero, size, tau   as in :class:`kinsym.inverse.plan.Plan`.
     why         why there is no closed form.
     """
 
@@ -125,6 +126,7 @@ class GeneralPlan:
     virtual: bool = False
     gate: bool = False
     maximum: int = 16
+    nonzero: tuple[Nonzero, ...] = ()
     size: Tree
     tau: Fraction = Fraction(1, 2**46)
     why: str

@@ -9,8 +9,10 @@ from __future__ import annotations
 from kinsym.deadline import Deadline
 from kinsym.general.arm import Arm, six_joints
 from kinsym.general.plan import Cut, GeneralPlan
-from kinsym.general.ranks import usable
+from kinsym.general.ranks import holds, usable
 from kinsym.inverse.assemble import arm_size
+from kinsym.inverse.nonzero import conditions_of, zeros
+from kinsym.inverse.plan import Nonzero
 from kinsym.inverse.state import NO_LIMIT
 from kinsym.kinematics.chain import Chain
 from kinsym.kinematics.tasks import mobility
@@ -29,6 +31,15 @@ def general_plan(chain: Chain, task: Task, why: str, deadline: Deadline = NO_LIM
         return _plan(arm, task, why, (), tuple(number for number in own if arm.kinds[number - 1] == "R"))
     cuts = [cut for cut in usable(arm, deadline) if cut.suppressed in own]
     return _plan(arm, task, why, tuple(cuts), ()) if cuts else None
+
+
+def nonzero(chain: Chain, plan: GeneralPlan) -> tuple[Nonzero, ...]:
+    """What must not vanish of the table: with it, a way round the loop that the plan takes could not be used."""
+    arm = six_joints(chain, plan.task)
+    if arm is None:
+        return ()
+    needed = {name for name, given in zeros(chain) if not all(holds(arm, cut, given) for cut in plan.cuts)}
+    return conditions_of(chain, needed)
 
 
 def _plan(arm: Arm, task: Task, why: str, cuts: tuple[Cut, ...], suppressed: tuple[int, ...]) -> GeneralPlan:

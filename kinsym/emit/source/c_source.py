@@ -21,7 +21,15 @@ from kinsym.emit.source.control import c_limits, control_names
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import kernels_used
 from kinsym.emit.source.marks import c_marks
-from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
+from kinsym.emit.source.needs import (
+    ENTRIES,
+    InverseNeeds,
+    functions_used,
+    inverse_needs,
+    line_needs,
+    nonzero_needs,
+)
+from kinsym.emit.source.regular import conditions, is_length, least_value
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
 from kinsym.emit.source.wrapping import WIDTH, cut, fill
@@ -61,6 +69,7 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "fields": [*(parameter.name for parameter in schedule.parameters), *schedule.inputs],
         "heads": _heads(schedule, marking["ending"]),
         "usable": _usable(schedule),
+        **_regular(schedule, printer),
         "banner": [c_comment(line) for line in banner(schedule)],
         "singular": [c_comment(line) for line in singular_lines(schedule)],
         "inverse": inverse,
@@ -79,6 +88,7 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "roots_call": roots_call,
         "code": code,
         "comment": comment,
+        "comment_lines": lambda text: "\n".join(f" * {line}" for line in fill(c_comment(text), WIDTH - 6)),
     }
     if schedule.general:
         names |= {
@@ -183,7 +193,23 @@ def _usable(schedule: Schedule) -> str:
     complete = all(parameter.value is not None for parameter in schedule.parameters)
     names = [*(parameter.name for parameter in schedule.parameters), *schedule.inputs]
     tests = [f"isfinite(p->{name})" for name in names]
+    tests += ["regular(p)"] if schedule.nonzero else []
     return " && ".join(tests if complete else ["p != NULL", *tests])
+
+
+def _regular(schedule: Schedule, printer: Printer) -> dict[str, Any]:
+    """What is tested so that nothing vanishes by which the equations divide."""
+    tests = []
+    for item in schedule.nonzero:
+        least = printer(least_value(item, schedule.tau))
+        tests.append(f"fabs({printer(item.value)}) > {least}")
+    scales = [item.scale for item in schedule.nonzero if is_length(item)]
+    return {
+        "nonzero": " && ".join(tests),
+        "regular": nonzero_needs(schedule),
+        "lengths": printer(scales[0]) if scales else "",
+        "vanishing": conditions(schedule),
+    }
 
 
 def _outputs(array: str, values: Iterable[Tree], printer: Printer) -> list[str]:

@@ -116,6 +116,12 @@ def held_needs(schedule: Schedule) -> Needs:
     return Needs(inputs=schedule.inputs, **_common(schedule, (*schedule.constants, *schedule.held), names))
 
 
+def nonzero_needs(schedule: Schedule) -> LineNeeds:
+    """What the test of the parameters reads; ``size`` among its names tells that the arm's lengths are a scale."""
+    trees = tuple(tree for item in schedule.nonzero for tree in (item.value, item.scale))
+    return line_needs(schedule, StraightLine(definitions=(), outputs=trees))
+
+
 def functions_used(schedule: Schedule) -> frozenset[str]:
     """The functions that the generated source calls in its expressions."""
     inverse = inverse_needs(schedule)

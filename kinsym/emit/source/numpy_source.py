@@ -18,7 +18,16 @@ from kinsym.emit.source.control import control_names, python_limits
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import ANGLE, KERNELS, kernels_used
 from kinsym.emit.source.marks import numpy_marks
-from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, held_needs, inverse_needs, line_needs
+from kinsym.emit.source.needs import (
+    ENTRIES,
+    InverseNeeds,
+    functions_used,
+    held_needs,
+    inverse_needs,
+    line_needs,
+    nonzero_needs,
+)
+from kinsym.emit.source.regular import conditions, is_length, least_value, remedies
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
 from kinsym.emit.source.wrapping import WIDTH, cut, fill
@@ -77,7 +86,7 @@ def numpy_source(schedule: Schedule) -> dict[str, str]:
         "code": code,
         "comment": comment,
     }
-    names |= _constants(schedule) | _signatures(schedule, inverse) | _helpers(inverse)
+    names |= _constants(schedule) | _signatures(schedule, inverse) | _helpers(inverse) | _regular(schedule, printer)
     if schedule.general:
         names |= _general(schedule, schedule.general, inverse, printer)
     return {f"{schedule.name}.py": render("numpy/module.py.jinja", **names)}
@@ -199,6 +208,25 @@ def _array(values: Sequence[float]) -> str:
 def _row(values: Sequence[float]) -> str:
     """One row of a table of numbers, on as many lines as it takes."""
     return "\n".join(f"    {part}" for part in cut(f"[{', '.join(map(repr, values))}],", WIDTH - 4))
+
+
+def _regular(schedule: Schedule, printer: Printer) -> dict[str, Any]:
+    """The test that nothing vanishes that the equations take for granted."""
+    needs = nonzero_needs(schedule)
+    given = [parameter.name for parameter in needs.parameters]
+    texts = zip(conditions(schedule), remedies(schedule), strict=True)
+    scales = [item.scale for item in schedule.nonzero if is_length(item)]
+    return {
+        "vanishing": conditions(schedule),
+        "regular": needs,
+        "lengths": printer(scales[0]) if scales else "",
+        "nonzero": [
+            f'_not_zero({printer(item.value)}, {printer(least_value(item, schedule.tau))}, "{name}", "{remedy}")'
+            for item, (name, remedy) in zip(schedule.nonzero, texts, strict=True)
+        ],
+        "nonzero_head": head("_check_nonzero", given),
+        "check_nonzero": code("", f"_check_nonzero({', '.join(given)})"),
+    }
 
 
 def _helpers(inverse: InverseNeeds) -> dict[str, Any]:
