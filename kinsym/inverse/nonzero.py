@@ -12,10 +12,9 @@ import random
 from collections.abc import Iterable, Iterator, Mapping, Set
 from types import MappingProxyType
 
-from kinsym.algebra.field import PRIME
+from kinsym.algebra.field import PRIME, inverse
 from kinsym.algebra.residues import residue_of
-from kinsym.algebra.tree import ONE, ZERO, Call, Pow, Prod, Quot, Sym, Tree, children, symbols
-from kinsym.inverse.assemble import constant_lengths
+from kinsym.algebra.tree import Call, Pow, Prod, Quot, Sum, Sym, Tree, children, symbols
 from kinsym.inverse.plan import Definition, Item, Nonzero, Plan, Step, Window
 from kinsym.kinematics.chain import Chain
 from kinsym.kinematics.singular.posture import posture
@@ -44,23 +43,23 @@ def nonzero(chain: Chain, plan: Plan, aliases: Mapping[str, str] = NOTHING) -> t
     found = {name for name, given in zeros(chain) if set(_troubles(chain, plan, given, aliases)) - general}
     conditions = conditions_of(chain, found)
     varying = _varying(chain)
+    fixed = {*varying, *(name for name, formula in chain.constants.formulas() if not formula.free_symbols)}
     others: dict[Tree, None] = {}
     for tree in (tree for item in plan.items for tree in _trees(item)):
         for factor in _denominators(tree):
             names = {*symbols(factor)}
-            if not isinstance(factor, Sym) and names & {*varying} and names <= _fixed(chain):
+            if not isinstance(factor, Sym) and names & {*varying} and names <= fixed:
                 others.setdefault(factor)
-    sums = tuple(Nonzero(value=value, scale=ZERO, parameters=_together(varying, symbols(value))) for value in others)
+    sums = tuple(Nonzero(value=value, unit=None, parameters=_together(varying, symbols(value))) for value in others)
     return (*conditions, *sums)
 
 
 def conditions_of(chain: Chain, names: Set[str]) -> tuple[Nonzero, ...]:
     """The conditions for parameters, cosines and sines by their names, in the order of the table."""
-    reach = constant_lengths(chain)
     varying = _varying(chain)
     lengths = {*chain.constants.parameters}
     return tuple(
-        Nonzero(value=Sym(name), scale=reach if name in lengths else ONE, parameters=varying[name])
+        Nonzero(value=Sym(name), unit=1 if name in lengths else 0, parameters=varying[name])
         for name, _ in zeros(chain)
         if name in names
     )
@@ -71,14 +70,10 @@ def _varying(chain: Chain) -> dict[str, tuple[str, ...]]:
     result: dict[str, tuple[str, ...]] = {name: (name,) for name in chain.constants.parameters}
     parameters = set(chain.robot.parameters)
     for name, formula in chain.constants.formulas():
-        used = tuple(sorted(parameters & {symbol.name for symbol in formula.free_symbols}))
-        if used:
-            result[name] = used
+        used = {symbol.name for symbol in formula.free_symbols}
+        if used and used <= parameters:
+            result[name] = tuple(sorted(used))
     return result
-
-
-def _fixed(chain: Chain) -> set[str]:
-    return {*chain.constants.parameters, *(name for name, _ in chain.constants.formulas())}
 
 
 def _together(varying: Mapping[str, tuple[str, ...]], names: Iterable[str]) -> tuple[str, ...]:
@@ -111,35 +106,75 @@ def _troubles(
     values |= entries | {name: entries[entry] for name, entry in aliases.items()}
     for number, item in enumerate(plan.items):
         for definition in _definitions(item):
-            if definition.name in values:
-                continue
-            value = residue_of(definition.value, values)
-            if value is None:
-                yield number, definition.name
-            else:
-                values[definition.name] = value
+            if definition.name not in values:
+                try:
+                    value = _value(definition.value, values)
+                except ZeroDivisionError:
+                    yield number, definition.name
+                    continue
+                if value is not None:
+                    values[definition.name] = value
         if isinstance(item, Step):
-            for name, tree in item.inputs.items():
-                if residue_of(tree, values) is None:
-                    yield number, name
-            for group in _READ.get(item.rule, ()):
-                if all(residue_of(item.inputs[name], values) == 0 for name in group):
-                    yield number, group[0]
-            if item.rule == "quartic" and not any(_eliminant(item, values)):
-                yield number, "polynomial"
+            yield from ((number, name) for name in _lost(item, values))
 
 
-def _eliminant(step: Step, values: Mapping[str, int]) -> Iterator[int | None]:
+def _lost(step: Step, values: Mapping[str, int]) -> Iterator[str]:
+    """The inputs of a step with which its unknown is free, or that cannot be computed."""
+    inputs: dict[str, int | None] = {}
+    for name, tree in step.inputs.items():
+        try:
+            inputs[name] = _value(tree, values)
+        except ZeroDivisionError:
+            yield name
+            return
+    for group in _READ.get(step.rule, ()):
+        if all(inputs[name] == 0 for name in group):
+            yield group[0]
+    if step.rule == "quartic" and not any(_eliminant(inputs)):
+        yield "t"
+
+
+def _eliminant(inputs: Mapping[str, int | None]) -> Iterator[int]:
     """The coefficients of c^2, c s, c, s and 1 in X^2 + Y^2 - k1^2 - k2^2, of which the polynomial is made."""
     total = [0, 0, 0, 0, 0]
     for name, sign in (("x", 1), ("y", 1), ("k", -1), ("l", -1)):
-        p, q, r = (residue_of(step.inputs[f"{name}{end}"], values) for end in ("c", "s", ""))
+        p, q, r = (inputs[f"{name}{end}"] for end in ("c", "s", ""))
         if p is None or q is None or r is None:
-            yield None
+            yield 1
             return
         for place, product in enumerate((p * p - q * q, 2 * p * q, 2 * p * r, 2 * q * r, q * q + r * r)):
             total[place] += sign * product
     yield from (coefficient % PRIME for coefficient in total)
+
+
+def _value(tree: Tree, values: Mapping[str, int]) -> int | None:
+    """The value of a tree modulo the prime, None where it is not known, which is never so of a zero.
+
+    Raises ZeroDivisionError.
+    """
+    match tree:
+        case Quot(above, below):
+            divisor, value = _value(below, values), _value(above, values)
+            if divisor == 0:
+                raise ZeroDivisionError
+            if value == 0 or divisor is None or value is None:
+                return 0 if value == 0 else None
+            return value * inverse(divisor) % PRIME
+        case Sum(terms):
+            parts = [_value(term, values) for term in terms]
+            return None if None in parts else sum(part or 0 for part in parts) % PRIME
+        case Prod(factors):
+            total: int | None = 1
+            for part in [_value(factor, values) for factor in factors]:
+                total = 0 if 0 in (part, total) else None if part is None or total is None else part * total % PRIME
+            return total
+        case Pow(base, exponent):
+            inner = _value(base, values)
+            return None if inner is None else pow(inner, exponent, PRIME)
+        case Call("sqrt" | "abs", (argument,)):
+            return 0 if _value(argument, values) == 0 else None
+        case _:
+            return residue_of(tree, values)
 
 
 def _definitions(item: Item) -> tuple[Definition, ...]:

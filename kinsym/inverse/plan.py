@@ -93,15 +93,16 @@ class JointValue:
 
 @dataclass(frozen=True, kw_only=True)
 class Nonzero:
-    """A constant of the table that must not vanish: in absolute value it exceeds ``tau`` times ``scale``.
+    """A constant of the table that must not vanish.
 
     value       a parameter, the cosine or sine of a twist, or a factor of a denominator.
-    scale       the sum of the arm's constant lengths, 1, or 0 where the unit is neither.
+    unit        1 for a length, which must exceed ``tau`` times the sum of the arm's lengths, 0 for a number, which must
+                exceed ``tau``; None for what must exceed 0.
     parameters  the parameters that it depends on.
     """
 
     value: Tree
-    scale: Tree
+    unit: int | None
     parameters: tuple[str, ...]
 
 

@@ -27,9 +27,8 @@ from kinsym.emit.source.needs import (
     functions_used,
     inverse_needs,
     line_needs,
-    nonzero_needs,
 )
-from kinsym.emit.source.regular import conditions, is_length, least_value
+from kinsym.emit.source.regular import regular_names
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
 from kinsym.emit.source.wrapping import WIDTH, cut, fill
@@ -69,7 +68,7 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "fields": [*(parameter.name for parameter in schedule.parameters), *schedule.inputs],
         "heads": _heads(schedule, marking["ending"]),
         "usable": _usable(schedule),
-        **_regular(schedule, printer),
+        **regular_names(schedule, printer),
         "banner": [c_comment(line) for line in banner(schedule)],
         "singular": [c_comment(line) for line in singular_lines(schedule)],
         "inverse": inverse,
@@ -195,21 +194,6 @@ def _usable(schedule: Schedule) -> str:
     tests = [f"isfinite(p->{name})" for name in names]
     tests += ["regular(p)"] if schedule.nonzero else []
     return " && ".join(tests if complete else ["p != NULL", *tests])
-
-
-def _regular(schedule: Schedule, printer: Printer) -> dict[str, Any]:
-    """What is tested so that nothing vanishes by which the equations divide."""
-    tests = []
-    for item in schedule.nonzero:
-        least = printer(least_value(item, schedule.tau))
-        tests.append(f"fabs({printer(item.value)}) > {least}")
-    scales = [item.scale for item in schedule.nonzero if is_length(item)]
-    return {
-        "nonzero": " && ".join(tests),
-        "regular": nonzero_needs(schedule),
-        "lengths": printer(scales[0]) if scales else "",
-        "vanishing": conditions(schedule),
-    }
 
 
 def _outputs(array: str, values: Iterable[Tree], printer: Printer) -> list[str]:

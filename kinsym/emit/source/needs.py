@@ -117,9 +117,11 @@ def held_needs(schedule: Schedule) -> Needs:
 
 
 def nonzero_needs(schedule: Schedule) -> LineNeeds:
-    """What the test of the parameters reads; ``size`` among its names tells that the arm's lengths are a scale."""
-    trees = tuple(tree for item in schedule.nonzero for tree in (item.value, item.scale))
-    return line_needs(schedule, StraightLine(definitions=(), outputs=trees))
+    """What the test that nothing vanishes reads."""
+    trees = [item.value for item in schedule.nonzero]
+    if any(item.unit == 1 for item in schedule.nonzero):
+        trees.append(schedule.lengths)
+    return line_needs(schedule, StraightLine(definitions=(), outputs=tuple(trees)))
 
 
 def functions_used(schedule: Schedule) -> frozenset[str]:

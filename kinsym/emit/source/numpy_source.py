@@ -25,9 +25,8 @@ from kinsym.emit.source.needs import (
     held_needs,
     inverse_needs,
     line_needs,
-    nonzero_needs,
 )
-from kinsym.emit.source.regular import conditions, is_length, least_value, remedies
+from kinsym.emit.source.regular import regular_names
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
 from kinsym.emit.source.wrapping import WIDTH, cut, fill
@@ -212,17 +211,11 @@ def _row(values: Sequence[float]) -> str:
 
 def _regular(schedule: Schedule, printer: Printer) -> dict[str, Any]:
     """The test that nothing vanishes that the equations take for granted."""
-    needs = nonzero_needs(schedule)
-    given = [parameter.name for parameter in needs.parameters]
-    texts = zip(conditions(schedule), remedies(schedule), strict=True)
-    scales = [item.scale for item in schedule.nonzero if is_length(item)]
-    return {
-        "vanishing": conditions(schedule),
-        "regular": needs,
-        "lengths": printer(scales[0]) if scales else "",
+    names = regular_names(schedule, printer)
+    given = [parameter.name for parameter in names["regular"].parameters]
+    return names | {
         "nonzero": [
-            f'_not_zero({printer(item.value)}, {printer(least_value(item, schedule.tau))}, "{name}", "{remedy}")'
-            for item, (name, remedy) in zip(schedule.nonzero, texts, strict=True)
+            f'_not_zero({item.value}, {item.least}, "{item.name}", "{item.remedy}")' for item in names["vanishing"]
         ],
         "nonzero_head": head("_check_nonzero", given),
         "check_nonzero": code("", f"_check_nonzero({', '.join(given)})"),

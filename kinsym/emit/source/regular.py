@@ -2,32 +2,45 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
 
-from kinsym.algebra.tree import ONE, ZERO, Num, Sym, Tree, mul
+from kinsym.algebra.tree import ZERO, Num, Sym, mul
+from kinsym.emit.printer import Printer
 from kinsym.emit.schedule import Schedule
+from kinsym.emit.source.needs import nonzero_needs
 from kinsym.emit.text.formula import TextPrinter
-from kinsym.inverse.plan import Nonzero
 
 
-def is_length(item: Nonzero) -> bool:
-    """Whether it is compared with the arm's lengths."""
-    return item.scale not in (ONE, ZERO)
+@dataclass(frozen=True, kw_only=True)
+class Vanishing:
+    """A value that must exceed ``least``: how the derivation writes it, and how to ask for an arm where it is zero."""
+
+    value: str
+    least: str
+    name: str
+    remedy: str
 
 
-def least_value(item: Nonzero, tau: Fraction) -> Tree:
-    """What the absolute value has to exceed; ``size`` is the sum of the arm's constant lengths."""
-    return mul(Num(tau), Sym("size")) if is_length(item) else mul(Num(tau), item.scale)
+def vanishing(schedule: Schedule, printer: Printer) -> Iterator[Vanishing]:
+    """The tests; ``size`` is the sum of the arm's constant lengths."""
+    tau = Num(schedule.tau)
+    for item in schedule.nonzero:
+        least = {None: ZERO, 0: tau, 1: mul(tau, Sym("size"))}[item.unit]
+        bound = "0" if item.unit == 1 else "..."
+        yield Vanishing(
+            value=printer(item.value),
+            least=printer(least),
+            name=TextPrinter()(item.value),
+            remedy=" ".join(f"--bind {name}={bound}" for name in item.parameters),
+        )
 
 
-def conditions(schedule: Schedule) -> list[str]:
-    """What must not vanish, as the derivation writes it."""
-    return [TextPrinter()(item.value) for item in schedule.nonzero]
-
-
-def remedies(schedule: Schedule) -> list[str]:
-    """For each of them the parameters to fold into the table, as the command line takes them."""
-    return [
-        " ".join(f"--bind {name}={0 if is_length(item) else '...'}" for name in item.parameters)
-        for item in schedule.nonzero
-    ]
+def regular_names(schedule: Schedule, printer: Printer) -> dict[str, Any]:
+    """What the templates of both languages read."""
+    return {
+        "regular": nonzero_needs(schedule),
+        "lengths": printer(schedule.lengths) if any(item.unit == 1 for item in schedule.nonzero) else "",
+        "vanishing": list(vanishing(schedule, printer)),
+    }
