@@ -8,7 +8,7 @@ once for each branch of the steps before it.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import astuple, dataclass
+from dataclasses import dataclass
 from math import prod
 
 from kinsym.algebra.tree import Call, Pow, Prod, Quot, Sum, Tree, children
@@ -29,14 +29,18 @@ class Operations:
     atan2: int = 0
 
     def __add__(self, other: Operations) -> Operations:
-        return Operations(*(a + b for a, b in zip(astuple(self), astuple(other), strict=True)))
+        return Operations(*(a + b for a, b in zip(self._counts, other._counts, strict=True)))
 
     def __mul__(self, times: int) -> Operations:
-        return Operations(*(a * times for a in astuple(self)))
+        return Operations(*(a * times for a in self._counts))
 
     def __str__(self) -> str:
         kinds = ("+ -", "*", "/", "sqrt", "sincos", "atan2")
-        return ", ".join(f"{count} {kind}" for count, kind in zip(astuple(self), kinds, strict=True) if count) or "none"
+        return ", ".join(f"{count} {kind}" for count, kind in zip(self._counts, kinds, strict=True) if count) or "none"
+
+    @property
+    def _counts(self) -> tuple[int, ...]:
+        return self.additions, self.multiplications, self.divisions, self.roots, self.sincos, self.atan2
 
 
 #: What a kernel computes besides its inputs on its ordinary path, all roots together.
