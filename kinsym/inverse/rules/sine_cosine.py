@@ -45,8 +45,10 @@ def candidates(view: View) -> Iterator[Candidate]:
     state = view.state
     points = (*state.samples, shared_points(state)[1])
     for forms in view.linear.values():
-        values = [_values(state, form, points) for form in forms[:WIDEST]]
-        for (first, at_first), (second, at_second) in combinations(zip(forms, values, strict=False), 2):
+        known = [(form, _values(state, form, points)) for form in forms[:WIDEST]]
+        # Of pairs that are equally short an orientation comes before a position, which a length near zero makes small.
+        pairs = sorted(combinations(known, 2), key=lambda pair: pair[0][0].equation.unit + pair[1][0].equation.unit)
+        for (first, at_first), (second, at_second) in pairs:
             state.deadline.check()
             found = [(a * d - b * c) % PRIME for (a, b), (c, d) in zip(at_first, at_second, strict=True)]
             *determinants, again = found
