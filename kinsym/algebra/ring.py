@@ -86,7 +86,7 @@ class Ring:
         while squares and poly and max(map(max, poly)) > 1:
             result = self.ring.zero
             changed = False
-            for monomial, coefficient in poly.terms():
+            for monomial, coefficient in poly.items():
                 high = () if max(monomial) < 2 else [i for i in squares if monomial[i] > 1]
                 if not high:
                     _add_term(result, monomial, coefficient)
@@ -97,7 +97,7 @@ class Ring:
                 for i in high:
                     rest[i] = monomial[i] % 2
                     factor *= squares[i] ** (monomial[i] // 2)
-                for shifted, product in factor.mul_term((tuple(rest), coefficient)).terms():
+                for shifted, product in factor.mul_term((tuple(rest), coefficient)).items():
                     _add_term(result, shifted, product)
             if not changed:
                 break
@@ -141,7 +141,7 @@ class Ring:
     def evaluate(self, poly: Poly, values: Mapping[str, int]) -> int:
         """The value modulo PRIME; ``values`` holds every generator that occurs."""
         total = 0
-        for monomial, coefficient in poly.terms():
+        for monomial, coefficient in poly.items():
             term = residue(fraction(coefficient))
             for i, exponent in enumerate(monomial):
                 if exponent:

@@ -9,7 +9,7 @@ has mirror images is computed once; in NumPy every branch has its own.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import astuple, dataclass
+from dataclasses import dataclass
 from math import prod
 
 from kinsym.algebra.tree import Call, Pow, Prod, Quot, Sum, Tree, children
@@ -31,21 +31,18 @@ class Operations:
     atan2: int = 0
 
     def __add__(self, other: Operations) -> Operations:
-        return Operations(
-            self.additions + other.additions,
-            self.multiplications + other.multiplications,
-            self.divisions + other.divisions,
-            self.roots + other.roots,
-            self.sincos + other.sincos,
-            self.atan2 + other.atan2,
-        )
+        return Operations(*(a + b for a, b in zip(self._counts, other._counts, strict=True)))
 
     def __mul__(self, times: int) -> Operations:
-        return Operations(*(count * times for count in astuple(self)))
+        return Operations(*(a * times for a in self._counts))
 
     def __str__(self) -> str:
         kinds = ("+ -", "*", "/", "sqrt", "sincos", "atan2")
-        return ", ".join(f"{count} {kind}" for count, kind in zip(astuple(self), kinds, strict=True) if count) or "none"
+        return ", ".join(f"{count} {kind}" for count, kind in zip(self._counts, kinds, strict=True) if count) or "none"
+
+    @property
+    def _counts(self) -> tuple[int, ...]:
+        return self.additions, self.multiplications, self.divisions, self.roots, self.sincos, self.atan2
 
 
 #: What a kernel of C computes besides its inputs on its ordinary path, all roots together: reciprocals once.

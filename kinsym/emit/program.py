@@ -12,6 +12,7 @@ from kinsym.emit.schedule import Assign, JointName, Note, Parameter, Schedule, S
 from kinsym.emit.singular import singular_poses
 from kinsym.emit.straight import forward_line, jacobian_line
 from kinsym.emit.text.formula import TextPrinter
+from kinsym.inverse.assemble import constant_lengths
 from kinsym.inverse.plan import Item, Plan, Step, Window
 from kinsym.inverse.rules import TITLES
 from kinsym.robot.summary import digest, table_lines
@@ -53,6 +54,8 @@ def build_schedule(derivation: Derivation) -> Schedule:
         general=derivation.general,
         branches=derivation.branches.names,
         meanings=derivation.branches.meanings,
+        lengths=constant_lengths(chain),
+        nonzero=plan.nonzero,
     )
 
 

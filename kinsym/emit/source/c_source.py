@@ -24,6 +24,7 @@ from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import kernels_used
 from kinsym.emit.source.marks import c_marks
 from kinsym.emit.source.needs import ENTRIES, InverseNeeds, inverse_needs, line_needs
+from kinsym.emit.source.regular import regular_names
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
 from kinsym.emit.source.wrapping import WIDTH, cut, fill
@@ -75,6 +76,7 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "heads": _heads(schedule, marking["ending"], inverse.marked, ending["word"]),
         "usable": _usable(schedule),
         "banner": [c_comment(line) for line in banner(schedule, shared=True)],
+        **regular_names(schedule, printer),
         "singular": [c_comment(line) for line in singular_lines(schedule)],
         "inverse": inverse,
         "entries": _entries(inverse),
@@ -97,6 +99,7 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "roots_call": roots_call,
         "code": code,
         "comment": comment,
+        "comment_lines": lambda text: "\n".join(f" * {line}" for line in fill(c_comment(text), WIDTH - 6)),
     }
     if schedule.general:
         names |= {
@@ -168,7 +171,6 @@ def _heads(schedule: Schedule, twins: bool, marked: bool, word: str) -> dict[str
     if marked or schedule.gate:
         special += f", const {name}_params *p, const double M[12], double tau"
         special += ", double size" if marked or size else ""
-    returned = "double" if schedule.gate and size else "void"
     called = f"const double T[16], {parameters}, const double reference[{joints}]"
     limits = f"const double lower[{joints}], const double upper[{joints}]"
     return {
@@ -200,7 +202,7 @@ def _heads(schedule: Schedule, twins: bool, marked: bool, word: str) -> dict[str
         "settled": f"static int settled({solutions}, {name}_mark marks[], {special})",
         "tidied": f"static int tidied({solutions}, {name}_mark marks[], const double alike[], int count{sliding})",
         "hold": f"static void hold(const {name}_params *p, double q[{joints}])",
-        "constant_motions": f"static {returned} constant_motions(const {name}_params *p, rigid_motion out[7])",
+        "constant_motions": f"static void constant_motions(const {name}_params *p, rigid_motion out[7])",
         "reaches": f"static int reaches({vector}, {parameters}, const double M[12], double tau{size})",
     }
 
@@ -210,6 +212,7 @@ def _usable(schedule: Schedule) -> str:
     complete = all(parameter.value is not None for parameter in schedule.parameters)
     names = [*(parameter.name for parameter in schedule.parameters), *schedule.inputs]
     tests = [f"isfinite(p->{name})" for name in names]
+    tests += ["regular(p)"] if schedule.nonzero else []
     return " && ".join(tests if complete else ["p != NULL", *tests])
 
 

@@ -81,7 +81,7 @@ def line_needs(schedule: Schedule, line: StraightLine) -> LineNeeds:
 def inverse_needs(schedule: Schedule) -> InverseNeeds:
     """The needs of the inverse kinematics; a gate and marked solutions read the tolerances as well."""
     names = set() if schedule.general else set(schedule.solution)
-    if schedule.gate:
+    if schedule.gate and not schedule.general:
         names |= {"tau", "size"} if gate_entries(schedule.task).position else {"tau"}
     if _marks(schedule.inverse):
         names |= {"tau", "size"}
@@ -114,6 +114,14 @@ def held_needs(schedule: Schedule) -> Needs:
     """What the values of the locked joints read."""
     names = set(schedule.locked)
     return Needs(inputs=schedule.inputs, **_common(schedule, (*schedule.constants, *schedule.held), names))
+
+
+def nonzero_needs(schedule: Schedule) -> LineNeeds:
+    """What the test that nothing vanishes reads."""
+    trees = [item.value for item in schedule.nonzero]
+    if any(item.unit == 1 for item in schedule.nonzero):
+        trees.append(schedule.lengths)
+    return line_needs(schedule, StraightLine(definitions=(), outputs=tuple(trees)))
 
 
 def functions_used(schedule: Schedule) -> frozenset[str]:

@@ -18,6 +18,7 @@ from kinsym.general.tables import BORDER_COLUMN, BORDER_ROW, CHART, OFFSET, arc_
 _LOOP = ("loop", "matrix", "substitution")
 _SLIDES = ("slides",)
 _SEARCH = ("roots", "isolation", "pivoting", "newton")
+_STILL = ("still",)
 
 
 def general_names(schedule: Schedule, plan: GeneralPlan, inverse: InverseNeeds, printer: Printer) -> dict[str, Any]:
@@ -29,21 +30,25 @@ def general_names(schedule: Schedule, plan: GeneralPlan, inverse: InverseNeeds, 
         if value != ZERO
     ]
     held = held_needs(schedule)
+    solved = [place for place, name in enumerate(schedule.solution) if name not in schedule.locked]
     needed, read = ([*(item.name for item in needs.parameters), *needs.inputs] for needs in (inverse, held))
     cuts = plan.cuts or [Cut.before(number) for number in plan.suppressed]
     ways = [(tuple(number - 1 for number in cut.order), cut.backward, cut.shift, cut.bordered) for cut in cuts]
     every = [parameter.name for parameter in schedule.parameters]
     return {
-        "parts": ["solve", "closure", *(_SLIDES if plan.suppressed else _LOOP), *_SEARCH],
+        "parts": ["solve", "closure", *(_SLIDES if plan.suppressed else _LOOP), *_SEARCH, *_STILL[: plan.gate]],
         "two_slides": bool(plan.suppressed),
         "cuts": ways,
         "attempts": tuple((way, nearby) for nearby in (False, True) for way in range(len(ways))),
         "signs": plan.signs,
         "letters": plan.kinds,
-        "virtual": plan.virtual,
-        "columns": "2:" if plan.virtual else ":",
+        "spin": plan.spin,
+        "still": plan.gate,
+        "axis": f"np.array([{', '.join(printer(row[2]) for row in plan.links[-1].rotation)}])",
+        "columns": "2:" if plan.spin else ":",
         "names_in_order": ", ".join(name for name in schedule.solution if name not in schedule.locked),
-        "solved": [place for place, name in enumerate(schedule.solution) if name not in schedule.locked],
+        "solved": solved,
+        "found": len(plan.kinds) if plan.gate else len(solved),
         "held": held,
         "whole_head": head("_whole", ["q", *read]),
         "whole_of": lambda q: f"_whole({', '.join([q, *_looked_up(read)])})",

@@ -21,6 +21,7 @@ from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inve
 from kinsym.emit.source.numpy_general import general_names
 from kinsym.emit.source.numpy_scalar import has_scalar_path, scalar_names
 from kinsym.emit.source.python_text import code, comment, head, names_tuple
+from kinsym.emit.source.regular import regular_names
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
 
@@ -77,7 +78,7 @@ def numpy_source(schedule: Schedule) -> dict[str, str]:
         "code": code,
         "comment": comment,
     }
-    names |= _constants(schedule) | _signatures(schedule, inverse) | _helpers(inverse)
+    names |= _constants(schedule) | _signatures(schedule, inverse) | _helpers(inverse) | _regular(schedule, printer)
     names["scalar"] = scalar_names(schedule, inverse, names["solving"]) if has_scalar_path(schedule) else None
     if schedule.general:
         names |= general_names(schedule, schedule.general, inverse, printer)
@@ -129,6 +130,19 @@ def _signatures(schedule: Schedule, inverse: InverseNeeds) -> dict[str, Any]:
             *(["*(value[part] for value in given)"] if schedule.inputs else []),
             "*parameters",
         ],
+    }
+
+
+def _regular(schedule: Schedule, printer: Printer) -> dict[str, Any]:
+    """The test that nothing vanishes that the equations take for granted."""
+    names = regular_names(schedule, printer)
+    given = [parameter.name for parameter in names["regular"].parameters]
+    return names | {
+        "nonzero": [
+            f'_not_zero({item.value}, {item.least}, "{item.name}", "{item.remedy}")' for item in names["vanishing"]
+        ],
+        "nonzero_head": head("_check_nonzero", given),
+        "check_nonzero": code("", f"_check_nonzero({', '.join(given)})"),
     }
 
 
