@@ -70,16 +70,17 @@ def task_vector(case: Case) -> bool:
     meanings = [case.chapter.task.get(name) for name in names]
     if robot.name == "cylindrical_rpp":
         allowed = {**allowed, "angle": 1}
-    return len(set(names)) == len(names) and all(
+    return 0 < len(set(names)) == len(names) and all(
         meaning in allowed and meanings.count(meaning) <= allowed[meaning] for meaning in meanings
     )
 
 
 def _names(case: Case) -> list[str]:
-    """The names in a vector; an empty list where a cell is more than a name."""
-    vector = case.form.members[-1]
+    """The names in a vector that has a name; an empty list where something is more than a name."""
+    named, vector = case.form.members
     cells = [cell for row in vector.rows for cell in row] if isinstance(vector, Grid) else []
-    return [cell.name for cell in cells if isinstance(cell, Name)] if all(isinstance(c, Name) for c in cells) else []
+    names = [cell.name for cell in cells if isinstance(cell, Name)]
+    return names if isinstance(named, Name) and len(names) == len(cells) else []
 
 
 def variables(case: Case) -> bool:

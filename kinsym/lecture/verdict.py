@@ -9,6 +9,7 @@ from enum import Enum
 from kinsym.lecture import identities, solutions, structure, tables, workspaces
 from kinsym.lecture.case import Case
 from kinsym.lecture.chapter import Chapter, Entry, Form, chapters
+from kinsym.lecture.notation import Name
 from kinsym.lecture.residue import Undefined
 
 Test = Callable[[Case], bool]
@@ -127,7 +128,8 @@ def _used_in_true_equations(case: Case) -> bool:
         other = case.chapter.entry(name)
         if not _holds(case.chapter, other, other.printed):
             return False
-    return bool(case.option("used") or "equals" in case.form.options)
+    named = isinstance(case.form.members[0], Name)
+    return named and bool(case.option("used") or "equals" in case.form.options)
 
 
 def _holds(chapter: Chapter, entry: Entry, form: Form) -> bool:

@@ -1,0 +1,79 @@
+"""Does kinsym print an equation of the lecture in the lecture's form?"""
+
+from __future__ import annotations
+
+from enum import Enum
+
+from kinsym.lecture.case import Case
+from kinsym.lecture.chapter import Chapter, Entry
+from kinsym.lecture.notation import Apply, Binary, Name, Node
+from kinsym.lecture.printed import Printed, Shapes, row_factors, row_names
+
+COMPARED = ("link_transform", "link_transform_inverse", "product", "fk_element", "ik_solution", "screw")
+"""The kinds of entries that are compared with kinsym's output."""
+
+
+class Likeness(Enum):
+    """How kinsym's output compares with an equation that it reproduces."""
+
+    SAME = "same form"
+    OTHER = "other form"
+    NONE = "not compared"
+
+
+def likeness(chapter: Chapter, entry: Entry) -> Likeness:
+    """Whether kinsym's output has the form that the lecture prints or, where that is a mistake, means."""
+    case = Case(chapter, entry, entry.mended or entry.printed)
+    system = case.system()
+    if entry.kind not in COMPARED or system is None or not case.form.members:
+        return Likeness.NONE
+    printed = Printed(chapter, system)
+    return Likeness.SAME if _alike(case, printed) else Likeness.OTHER
+
+
+def _alike(case: Case, printed: Printed) -> bool:
+    members = case.form.members
+    for member in members:
+        shown = printed.find(member)
+        if shown is None:
+            continue
+        others = [other for other in members if other is not member]
+        if all(_same(case, printed, member, shown, other) for other in others):
+            return True
+    return False
+
+
+def _same(case: Case, printed: Printed, member: Node, shown: Shapes, other: Node) -> bool:
+    if shown in (printed.written(other), printed.find(other)):
+        return True
+    links = printed.links_of(member)
+    if links is not None and printed.links_of(other) == links:
+        return True
+    if case.form.factors and other is case.form.members[-1]:
+        return _same_factors(case, printed, links)
+    one = links is not None and len(links) == 1
+    return one and _applied(case.chapter, other) in row_names(printed.system, links[0] if links else 0)
+
+
+def _same_factors(case: Case, printed: Printed, links: tuple[int, ...] | None) -> bool:
+    """Every printed factor is the link it stands for or, of one link, the elementary transform."""
+    factors = [printed.written(factor) for factor in case.form.factors]
+    names = case.option("each")
+    if names:
+        return factors == [printed.find(Name(text)) for text in names]
+    return links is not None and len(links) == 1 and tuple(factors) in row_factors(printed.system, links[0])
+
+
+def _applied(chapter: Chapter, node: Node) -> tuple[tuple[str, ...], ...] | None:
+    """A product of elementary transforms as their names, each with its arguments; None for any other formula."""
+    match node:
+        case Name(text) if text in chapter.names:
+            return _applied(chapter, chapter.names[text])
+        case Apply(function, arguments):
+            names = tuple(cell.name for cell in arguments if isinstance(cell, Name))
+            return ((function, *names),)
+        case Binary("*", left, right):
+            before, after = _applied(chapter, left), _applied(chapter, right)
+            return None if before is None or after is None else before + after
+        case _:
+            return None
