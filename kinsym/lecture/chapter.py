@@ -95,6 +95,7 @@ class Chapter:
     pose: tuple[str, ...]
     free: Mapping[str, str] = field(hash=False)
     task: Mapping[str, str] = field(hash=False)
+    without_dimensions: bool
     entries: tuple[Entry, ...]
     ways: tuple[Mapping[str, Any], ...] = field(hash=False)
 
@@ -144,6 +145,7 @@ def chapter_of(file: str, content: Mapping[str, Any]) -> Chapter:
         pose=tuple(content.get("pose", ())),
         free=dict(content.get("free", {})),
         task=dict(content.get("task", {})),
+        without_dimensions=bool(content.get("without_dimensions", False)),
         entries=tuple(_entry(file, raw) for raw in content["equation"]),
         ways=tuple(content.get("way", ())),
     )

@@ -9,6 +9,7 @@ from enum import Enum
 from kinsym.lecture import identities, solutions, structure, tables, workspaces
 from kinsym.lecture.case import Case
 from kinsym.lecture.chapter import Chapter, Entry, Form, chapters
+from kinsym.lecture.form import Likeness, likeness
 from kinsym.lecture.notation import Name
 from kinsym.lecture.residue import Undefined
 
@@ -59,11 +60,15 @@ class Truth(Enum):
 
 @dataclass(frozen=True, kw_only=True)
 class Verdict:
-    """What was found of one entry; ``why`` says it where the entry is not accounted for."""
+    """What was found of one entry: whether it is true, and whether kinsym prints it so.
+
+    ``why`` says what is wrong where the entry is not accounted for.
+    """
 
     chapter: Chapter
     entry: Entry
     truth: Truth
+    likeness: Likeness
     why: str = ""
 
     @property
@@ -90,7 +95,22 @@ def verdict(chapter: Chapter, entry: Entry) -> Verdict:
         truth, why = Truth.ERRATUM, ""
     else:
         truth, why = Truth.FALSE, "the printed form is false, and so is the mended one"
-    return Verdict(chapter=chapter, entry=entry, truth=truth, why=why)
+    like = Likeness.NONE if truth is Truth.FALSE else likeness(chapter, entry)
+    return Verdict(chapter=chapter, entry=entry, truth=truth, likeness=like, why=why)
+
+
+def failed_ways(chapter: Chapter) -> list[str]:
+    """The ways from a pose to all joint values that miss the pose or have another number of solutions than claimed."""
+    failed = []
+    for way in chapter.ways:
+        first = chapter.entry(str(way["steps"][0]))
+        try:
+            held = solutions.way_holds(Case(chapter, first, first.printed), way)
+        except Undefined:
+            held = False
+        if not held:
+            failed.append(str(way["id"]))
+    return failed
 
 
 def is_true(case: Case) -> bool:

@@ -1,0 +1,38 @@
+"""``kinsym lecture``: every equation of the lecture against kinsym's own derivations."""
+
+from __future__ import annotations
+
+import argparse
+
+from kinsym.command.screen import Screen
+
+SOURCE = "H. D. Taghirad, Robotics: Mechanics & Control, chapter 3: Kinematic Analysis"
+
+
+def lecture(options: argparse.Namespace, screen: Screen) -> int:
+    """Print a verdict on every equation, or the mistakes; 1 unless every entry is accounted for."""
+    from kinsym.lecture.report import chosen, errata, forms, line, missing, summary
+    from kinsym.lecture.verdict import failed_ways, verdicts
+
+    found = []
+    failed = []
+    screen.say(f"{SOURCE}\n")
+    for chapter in chosen(options.system):
+        own = list(verdicts([chapter]))
+        found += own
+        failed += [f"{chapter.system}: {name}" for name in failed_ways(chapter)]
+        if options.errata:
+            continue
+        screen.say(f"{chapter.title}\n{'-' * len(chapter.title)}")
+        screen.say("\n".join(map(line, own)) + "\n")
+        if note := missing(chapter):
+            screen.say(note + "\n")
+    if options.errata:
+        mistakes = list(errata(found))
+        screen.say("\n\n".join(mistakes) if mistakes else "  no mistakes")
+        screen.say(f"\n{len(mistakes)} mistakes among {len(found)} entries")
+    else:
+        screen.say("\n\n".join(part for part in (summary(found), forms(found)) if part))
+    for name in failed:
+        screen.warn(f"a way through all joints does not lead to the pose with the solutions claimed: {name}")
+    return 0 if not failed and all(verdict.accounted for verdict in found) else 1

@@ -1,0 +1,170 @@
+"""The verdicts on the lecture as lines of text: one an equation, a table by system, the list of mistakes."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+
+from kinsym.emit.text.page import Page
+from kinsym.errors import KinsymError
+from kinsym.lecture.chapter import KINDS, Chapter, Form, chapters
+from kinsym.lecture.form import Likeness
+from kinsym.lecture.verdict import Truth, Verdict
+from kinsym.robot import load
+from kinsym.robot.names import nearest, shown
+
+WIDTH = 80
+PAGE = Page(width=WIDTH)
+
+COUNTED = ("link_transform", "link_transform_inverse", "product", "fk_element", "ik_solution")
+"""The kinds of which a share in the printed form is told."""
+
+
+def systems() -> tuple[str, ...]:
+    """The systems of the lecture in its order."""
+    return tuple(dict.fromkeys(chapter.system for chapter in chapters()))
+
+
+def chosen(system: str | None) -> tuple[Chapter, ...]:
+    """The chapters of one system, or all.
+
+    Raises KinsymError with the nearest name where the lecture has no such system.
+    """
+    if system is None:
+        return chapters()
+    if system not in systems():
+        raise KinsymError(
+            f"the lecture has no system {shown(system)}. {nearest(system, systems())}"
+            f"Its systems: {', '.join(systems())}."
+        )
+    return tuple(chapter for chapter in chapters() if chapter.system == system)
+
+
+def line(verdict: Verdict) -> str:
+    """One entry: its number, system, name and verdict.
+
+    >>> from kinsym.lecture.verdict import verdict
+    >>> line(verdict(*next((c, c.entry("2.81")) for c in chapters() if c.system == "fanuc_s900w")))
+    '  2.81   fanuc_s900w           2.81              true'
+    """
+    entry = verdict.entry
+    text = f"  {entry.number:<6} {verdict.chapter.system:<21} {entry.id:<17} {_word(verdict)}"
+    if verdict.truth is Truth.ERRATUM and entry.mended is not None:
+        text += "\n" + PAGE.prose(f"mended: {mended_text(verdict)}", indent=9)
+    if verdict.likeness is Likeness.OTHER and entry.instead:
+        text += "\n" + PAGE.prose(entry.instead, indent=9)
+    return text
+
+
+def _word(verdict: Verdict) -> str:
+    if verdict.truth is Truth.FALSE:
+        return f"NOT ACCOUNTED FOR\n         {verdict.why}"
+    if verdict.truth is Truth.ERRATUM:
+        return "erratum"
+    return {
+        Likeness.SAME: "in the printed form",
+        Likeness.OTHER: "true, in another form",
+        Likeness.NONE: "true",
+    }[verdict.likeness]
+
+
+def mended_text(verdict: Verdict) -> str:
+    """What an erratum should say, without the entries of a matrix that are right."""
+    printed, mended = verdict.entry.printed, verdict.entry.mended
+    if mended is None:
+        return ""
+    return _changes(printed, mended) or mended.text
+
+
+def _changes(printed: Form, mended: Form) -> str:
+    """The cells that differ, if the two forms are the same matrix equation but for some of them."""
+    if printed.claim or len(printed.texts) != len(mended.texts):
+        return ""
+    parts = []
+    for before, after in zip(printed.texts, mended.texts, strict=True):
+        if before == after:
+            continue
+        if not after.startswith("[") or not before.startswith("["):
+            parts.append(after if after == mended.texts[0] else f"{mended.texts[0]} = {after}")
+            continue
+        old, new = (_cells(text) for text in (before, after))
+        parts += [
+            f"entry ({i + 1},{k + 1}) = {cell}"
+            for i, row in enumerate(new)
+            for k, cell in enumerate(row)
+            if old[i][k] != cell
+        ]
+    return ", ".join(parts)
+
+
+def _cells(text: str) -> list[list[str]]:
+    return [row.split(", ") for row in text.strip("[]").split("; ")]
+
+
+def summary(verdicts: Sequence[Verdict]) -> str:
+    """How many entries of each system are true, printed alike, mended and not accounted for."""
+    head = ("system", "entries", "true", "errata", "open", "printed alike")
+    rows = [head]
+    names = list(dict.fromkeys(v.chapter.system for v in verdicts))
+    for name in [*names, "total"]:
+        own = [v for v in verdicts if name in (v.chapter.system, "total")]
+        truth = Counter(v.truth for v in own)
+        compared = [v for v in own if v.likeness is not Likeness.NONE]
+        alike = sum(v.likeness is Likeness.SAME for v in compared)
+        counts = (len(own), truth[Truth.TRUE], truth[Truth.ERRATUM], truth[Truth.FALSE])
+        rows.append((name, *map(str, counts), f"{alike} of {len(compared)}"))
+    return PAGE.columns(rows)
+
+
+def forms(verdicts: Iterable[Verdict]) -> str:
+    """How many entries of each kind kinsym prints in the lecture's form."""
+    found: dict[str, list[Verdict]] = {}
+    for verdict in verdicts:
+        if verdict.likeness is not Likeness.NONE:
+            found.setdefault(verdict.entry.kind, []).append(verdict)
+    rows = [("kind", "compared", "in the printed form")]
+    for kind in (kind for kind in KINDS if kind in found):
+        alike = sum(v.likeness is Likeness.SAME for v in found[kind])
+        rows.append((KINDS[kind], str(len(found[kind])), str(alike)))
+    counted = [v for kind in COUNTED for v in found.get(kind, [])]
+    if not counted:
+        return ""
+    alike = sum(v.likeness is Likeness.SAME for v in counted)
+    share = f"Transforms, products, forward kinematics and solutions: {alike} of {len(counted)} in the printed form"
+    return PAGE.columns(rows) + "\n\n" + PAGE.prose(f"{share}, {100 * alike // len(counted)} %; all of them in value.")
+
+
+def errata(verdicts: Iterable[Verdict]) -> Iterator[str]:
+    """Every mistake of the lecture with its place, both forms and the reason."""
+    for verdict in verdicts:
+        entry = verdict.entry
+        if verdict.truth is not Truth.ERRATUM or entry.mended is None:
+            continue
+        number = f" ({entry.number})" if entry.number else ""
+        doubt = " The slip may be the scan's." if entry.doubtful else ""
+        yield "\n".join(
+            (
+                f"  slide {entry.slide}{number}, {verdict.chapter.system}: {entry.id}",
+                PAGE.prose(f"printed: {short(entry.printed)}", indent=6),
+                PAGE.prose(f"mended:  {mended_text(verdict)}", indent=6),
+                PAGE.prose(f"{entry.reason[0].upper()}{entry.reason[1:]}.{doubt}".replace("..", "."), indent=6),
+            )
+        )
+
+
+def missing(chapter: Chapter) -> str:
+    """What the lecture leaves open of a system, so that nothing can be derived; empty for all others."""
+    if not chapter.without_dimensions:
+        return ""
+    robot = load(chapter.robot)
+    names = ", ".join(robot.parameters)
+    return PAGE.prose(
+        f"The lecture names the joints of this arm and gives no table: alpha, a and d of {len(robot.joints)} rows are "
+        f"missing, so that nothing but its variables can be compared. kinsym's own {robot.name} has {names} in their "
+        f"places (kinsym show {robot.name})."
+    )
+
+
+def short(form: Form) -> str:
+    """A form as one line, its matrices left out."""
+    return form.claim or " = ".join(text if not text.startswith("[") else "[...]" for text in form.texts)
