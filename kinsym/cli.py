@@ -80,6 +80,7 @@ def parser() -> argparse.ArgumentParser:
     )
     lecture.add_argument("system", metavar="SYSTEM", nargs="?", help="one system of the lecture (default: all)")
     lecture.add_argument("--errata", action="store_true", help="list the lecture's mistakes with the reason")
+    lecture.add_argument("--markdown", action="store_true", help="print docs/lecture.md, the sections beside kinsym")
     lecture.add_argument("--quiet", action="store_true", help="print errors only")
     return top
 

@@ -3,8 +3,13 @@
 from __future__ import annotations
 
 import argparse
+from typing import TYPE_CHECKING
 
 from kinsym.command.screen import Screen
+from kinsym.errors import KinsymError
+
+if TYPE_CHECKING:
+    from kinsym.lecture.verdict import Verdict
 
 SOURCE = "H. D. Taghirad, Robotics: Mechanics & Control, chapter 3: Kinematic Analysis"
 
@@ -14,8 +19,10 @@ def lecture(options: argparse.Namespace, screen: Screen) -> int:
     from kinsym.lecture.report import chosen, errata, forms, line, missing, summary
     from kinsym.lecture.verdict import failed_ways, verdicts
 
-    found = []
-    failed = []
+    found: list[Verdict] = []
+    failed: list[str] = []
+    if options.markdown:
+        return _page(options, screen)
     screen.say(f"{SOURCE}\n")
     for chapter in chosen(options.system):
         own = list(verdicts([chapter]))
@@ -36,3 +43,15 @@ def lecture(options: argparse.Namespace, screen: Screen) -> int:
     for name in failed:
         screen.warn(f"a way through all joints does not lead to the pose with the solutions claimed: {name}")
     return 0 if not failed and all(verdict.accounted for verdict in found) else 1
+
+
+def _page(options: argparse.Namespace, screen: Screen) -> int:
+    """Print docs/lecture.md."""
+    from kinsym.lecture.document import markdown
+    from kinsym.lecture.verdict import verdicts
+
+    if options.system is not None or options.errata:
+        raise KinsymError("--markdown is the page of the whole lecture. Leave out the system and --errata.")
+    found = list(verdicts())
+    screen.say(markdown(found).rstrip("\n"))
+    return 0 if all(verdict.accounted for verdict in found) else 1

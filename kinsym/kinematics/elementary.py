@@ -1,7 +1,7 @@
 """The elementary transforms that a Denavit-Hartenberg row is the product of (lecture, slides 12 to 15).
 
-Craig: R_X(alpha_i-1) D_X(a_i-1) R_Z(theta_i) D_Z(d_i). Paul: D_Z(d_i) R_Z(theta_i) D_X(a_i) R_X(alpha_i). Every motion is
-about or along the axes as the ones before it have left them.
+Craig: R_X(alpha_i-1) D_X(a_i-1) R_Z(theta_i) D_Z(d_i). Paul: D_Z(d_i) R_Z(theta_i) D_X(a_i) R_X(alpha_i). Every motion
+is about or along the axes as the ones before it have left them.
 """
 
 from __future__ import annotations

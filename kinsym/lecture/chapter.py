@@ -1,8 +1,8 @@
 """The lecture's equations as they are printed, read from ``equations/``.
 
 One file is one system in one part of the lecture. A file says what the lecture's names mean in terms of kinsym's
-derivation (``[names]``) and lists the equations; where the lecture prints a mistake, both the printed and the mended form
-stand there, and neither says which is which but by its place.
+derivation (``[names]``) and lists the equations; where the lecture prints a mistake, both the printed and the mended
+form stand there.
 """
 
 from __future__ import annotations

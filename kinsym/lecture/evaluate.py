@@ -31,7 +31,8 @@ ValueOf = Callable[[str], Value]
 class Evaluator:
     """Formulas evaluated with the names that ``value_of`` knows, modulo the prime or, with ``exact``, in Fractions.
 
-    ``elsewhere`` evaluates what stands in ``moved(...)``. Raises Undefined where a formula has no value: a zero denominator, a root that is not there, sizes that differ.
+    ``elsewhere`` evaluates what stands in ``moved(...)``. Raises Undefined where a formula has no value: a zero
+    denominator, a root that is not there, sizes that differ.
 
     >>> from kinsym.lecture.notation import parse
     >>> Evaluator({"a": Fraction(3)}.__getitem__, exact=True)(parse("sqrt(a**2 + 16)/2"))
@@ -127,7 +128,7 @@ class Evaluator:
         if isinstance(left, tuple) and isinstance(right, tuple):
             return entrywise(left, right, sign)
         if isinstance(left, Residue | Fraction) and isinstance(right, Residue | Fraction):
-            return left + right if sign > 0 else left - right  # type: ignore[operator]
+            return left + right if sign > 0 else left - right
         first, second = self._turn(left), self._turn(right)
         return first.plus(second if sign > 0 else second.opposite())
 
@@ -138,9 +139,9 @@ class Evaluator:
             factor, matrix = (right, left) if isinstance(left, tuple) else (left, right)
             if not isinstance(factor, Residue | Fraction) or not isinstance(matrix, tuple):
                 raise Undefined("a matrix is multiplied by what is no number")
-            return tuple(tuple(cell * factor for cell in row) for row in matrix)  # type: ignore[operator]
+            return tuple(tuple(cell * factor for cell in row) for row in matrix)
         if isinstance(left, Residue | Fraction) and isinstance(right, Residue | Fraction):
-            return left * right  # type: ignore[operator]
+            return left * right
         count, angle = (left, right) if isinstance(left, Residue | Fraction) else (right, left)
         return self._multiple(count, angle)
 
@@ -167,7 +168,7 @@ class Evaluator:
             raise Undefined("division by zero")
         if not isinstance(left, Residue | Fraction):
             raise Undefined("an angle or a matrix is divided")
-        return left / divisor  # type: ignore[operator]
+        return left / divisor
 
     def _part(self, matrix: Matrix, row: int | str, place: int) -> Value:
         if place >= len(matrix[0]) or (isinstance(row, int) and row >= len(matrix)):
@@ -186,19 +187,19 @@ class Evaluator:
             case "cos":
                 return self.angle(first).cosine
             case "v":
-                return one - self.angle(first).cosine  # type: ignore[operator]
+                return one - self.angle(first).cosine
             case "tan":
                 value = self(first)
                 turn = value if isinstance(value, Slope) else None
-                return turn.tangent if turn else self.angle(first).sine / self.angle(first).cosine  # type: ignore[operator]
+                return turn.tangent if turn else self.angle(first).sine / self.angle(first).cosine
             case "sqrt":
                 return root(self.scalar(first))
             case "acos":
                 c = self.scalar(first)
-                return Turn(c, root(one - c * c))  # type: ignore[operator]
+                return Turn(c, root(one - c * c))
             case "asin":
                 s = self.scalar(first)
-                return Turn(root(one - s * s), s)  # type: ignore[operator]
+                return Turn(root(one - s * s), s)
             case "atan":
                 return Slope(self.scalar(first))
             case "atan2":
@@ -217,8 +218,8 @@ class Evaluator:
                     raise Undefined("a residue has no sign")
                 return abs(size)
             case "unit":
-                size = int(first.value) if isinstance(first, Number) else 0
-                return tuple(tuple(one if i == k else zero for k in range(size)) for i in range(size))
+                rows = range(int(first.value)) if isinstance(first, Number) else range(0)
+                return tuple(tuple(one if i == k else zero for k in rows) for i in rows)
             case _:
                 return self._matrix_function(function, arguments)
 
@@ -255,8 +256,8 @@ class Evaluator:
                 rows = tuple((*row, entry[0]) for row, entry in zip(first, below, strict=True))
                 return (*rows, (zero, zero, zero, one))
             case _:
-                start, end, axis = (column(self.matrix(node)) for node in arguments)
-                return Turn(dot(start, end), dot(cross(start, end), axis))
+                start, end, about = (column(self.matrix(node)) for node in arguments)
+                return Turn(dot(start, end), dot(cross(start, end), about))
 
     def _turned(self, axis: str, angle: Turn) -> Matrix:
         c, s, one, zero = angle.cosine, angle.sine, self.number(1), self.number(0)

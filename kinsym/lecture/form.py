@@ -28,6 +28,8 @@ def likeness(chapter: Chapter, entry: Entry) -> Likeness:
     if entry.kind not in COMPARED or system is None or not case.form.members:
         return Likeness.NONE
     printed = Printed(chapter, system)
+    if entry.kind == "screw" and not any(map(printed.find, case.form.members)):
+        return Likeness.NONE
     return Likeness.SAME if _alike(case, printed) else Likeness.OTHER
 
 

@@ -99,7 +99,7 @@ def _anything(generator: random.Random) -> Evaluator:
 
 def _difference(evaluate: Evaluator, members: tuple[Node, ...]) -> Residue:
     left, right = (evaluate.scalar(member) for member in (members[0], members[-1]))
-    difference = left - right  # type: ignore[operator]
+    difference = left - right
     assert isinstance(difference, Residue)
     return difference
 
@@ -111,7 +111,9 @@ def free_of(case: Case) -> bool:
 
 def moved_by(case: Case) -> bool:
     """A quantity changes with every one of some joints."""
-    return not any(_same_after(case, reading, [name]) for reading in case.readings() for name in case.option("moved_by"))
+    return not any(
+        _same_after(case, reading, [name]) for reading in case.readings() for name in case.option("moved_by")
+    )
 
 
 def _same_after(case: Case, reading: Reading, names: list[str]) -> bool:
@@ -192,6 +194,4 @@ def same_pose(case: Case) -> bool:
 def special_value(case: Case) -> bool:
     """A definition of the lecture has the value of another quantity."""
     node = parse_any(case.option("equals"))
-    return all(
-        agree(reading.evaluate(case.form.members[-1]), reading.evaluate(node)) for reading in case.readings()
-    )
+    return all(agree(reading.evaluate(case.form.members[-1]), reading.evaluate(node)) for reading in case.readings())

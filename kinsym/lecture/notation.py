@@ -199,7 +199,7 @@ def children(node: Node) -> tuple[Node, ...]:
 
 def _syntax(text: str) -> ast.expr:
     if len(text) > LONGEST or not re.fullmatch(r"[A-Za-z0-9_+\-*/()\[\]:<>=!., ]+", text):
-        raise NotationError(f"{ascii(text[:60])} is not in the lecture's notation. Write names, + - * / ** and ().")
+        raise NotationError(f"{text[:60]!a} is not in the lecture's notation. Write names, + - * / ** and ().")
     try:
         return ast.parse(text.strip(), mode="eval").body
     except (SyntaxError, ValueError, RecursionError, MemoryError):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from kinsym.kinematics.chain import Chain
 from kinsym.kinematics.elementary import FACTORS, SCREWS, elementary
@@ -149,7 +150,7 @@ def shapes(derived: Derived) -> Shapes:
 
 
 def row_names(system: System, number: int) -> tuple[tuple[tuple[str, ...], ...], ...]:
-    """The two ways in which a row's link is a product of elementary transforms, of four and of two, by name and cells."""
+    """A row's link as a product of four and of two elementary transforms, by their names and cells."""
     convention, joint = system.robot.convention, system.robot.joints[number - 1]
     if system.screws:
         return ()
@@ -173,7 +174,7 @@ def _matrix(transform: str, *cells: str) -> Shapes:
 
 
 def _consecutive(links: Sequence[int]) -> bool:
-    return bool(links) and all(after == before + 1 for before, after in zip(links, links[1:], strict=False))
+    return bool(links) and all(after == before + 1 for before, after in pairwise(links))
 
 
 def _first(node: Node) -> str:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any, TypeAlias
 
 from kinsym.algebra.field import angle_point
 from kinsym.lecture.residue import Residue, Scalar, Undefined, root
@@ -74,7 +75,8 @@ class Pi:
 
 
 Matrix = tuple[tuple[Scalar, ...], ...]
-Value = Residue | Fraction | Turn | Slope | Pi | Matrix
+Value: TypeAlias = Any
+"""A Scalar, a Turn, a Slope, a Pi or a Matrix."""
 
 
 def direction(x: Scalar, y: Scalar) -> Turn:

@@ -195,5 +195,3 @@ def _random_transform(generator: random.Random) -> Matrix:
 def without(reading: Reading, *names: str) -> Mapping[str, Value]:
     """The values of a reading but those of some names."""
     return {name: value for name, value in reading.values.items() if name not in names}
-
-

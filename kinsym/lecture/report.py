@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 
@@ -18,6 +19,12 @@ PAGE = Page(width=WIDTH)
 
 COUNTED = ("link_transform", "link_transform_inverse", "product", "fk_element", "ik_solution")
 """The kinds of which a share in the printed form is told."""
+
+
+def filled(text: str, *, indent: int = 2) -> str:
+    """A sentence in lines of the page's width."""
+    margin = " " * indent
+    return textwrap.fill(text, WIDTH, initial_indent=margin, subsequent_indent=margin, break_on_hyphens=False)
 
 
 def systems() -> tuple[str, ...]:
@@ -50,9 +57,9 @@ def line(verdict: Verdict) -> str:
     entry = verdict.entry
     text = f"  {entry.number:<6} {verdict.chapter.system:<21} {entry.id:<17} {_word(verdict)}"
     if verdict.truth is Truth.ERRATUM and entry.mended is not None:
-        text += "\n" + PAGE.prose(f"mended: {mended_text(verdict)}", indent=9)
+        text += "\n" + filled(f"mended: {mended_text(verdict)}", indent=9)
     if verdict.likeness is Likeness.OTHER and entry.instead:
-        text += "\n" + PAGE.prose(entry.instead, indent=9)
+        text += "\n" + filled(entry.instead, indent=9)
     return text
 
 
@@ -70,22 +77,22 @@ def _word(verdict: Verdict) -> str:
 
 def mended_text(verdict: Verdict) -> str:
     """What an erratum should say, without the entries of a matrix that are right."""
-    printed, mended = verdict.entry.printed, verdict.entry.mended
-    if mended is None:
-        return ""
-    return _changes(printed, mended) or mended.text
+    mended = verdict.entry.mended
+    return "" if mended is None else difference(verdict.entry.printed, mended)
 
 
-def _changes(printed: Form, mended: Form) -> str:
-    """The cells that differ, if the two forms are the same matrix equation but for some of them."""
-    if printed.claim or len(printed.texts) != len(mended.texts):
-        return ""
+def difference(one: Form, other: Form) -> str:
+    """The other form as far as it differs from the one: its sentence, its equation, or some entries of its matrix."""
+    if one.claim or len(one.texts) != len(other.texts):
+        return other.text
+    if not any(text.startswith("[") for text in other.texts):
+        return other.text
     parts = []
-    for before, after in zip(printed.texts, mended.texts, strict=True):
+    for before, after in zip(one.texts, other.texts, strict=True):
         if before == after:
             continue
         if not after.startswith("[") or not before.startswith("["):
-            parts.append(after if after == mended.texts[0] else f"{mended.texts[0]} = {after}")
+            parts.append(f"{after} = ..." if after == other.texts[0] else after)
             continue
         old, new = (_cells(text) for text in (before, after))
         parts += [
@@ -104,7 +111,7 @@ def _cells(text: str) -> list[list[str]]:
 def summary(verdicts: Sequence[Verdict]) -> str:
     """How many entries of each system are true, printed alike, mended and not accounted for."""
     head = ("system", "entries", "true", "errata", "open", "printed alike")
-    rows = [head]
+    rows: list[tuple[str, ...]] = [head]
     names = list(dict.fromkeys(v.chapter.system for v in verdicts))
     for name in [*names, "total"]:
         own = [v for v in verdicts if name in (v.chapter.system, "total")]
@@ -131,7 +138,7 @@ def forms(verdicts: Iterable[Verdict]) -> str:
         return ""
     alike = sum(v.likeness is Likeness.SAME for v in counted)
     share = f"Transforms, products, forward kinematics and solutions: {alike} of {len(counted)} in the printed form"
-    return PAGE.columns(rows) + "\n\n" + PAGE.prose(f"{share}, {100 * alike // len(counted)} %; all of them in value.")
+    return PAGE.columns(rows) + "\n\n" + filled(f"{share}, {100 * alike // len(counted)} %; all of them in value.")
 
 
 def errata(verdicts: Iterable[Verdict]) -> Iterator[str]:
@@ -141,15 +148,20 @@ def errata(verdicts: Iterable[Verdict]) -> Iterator[str]:
         if verdict.truth is not Truth.ERRATUM or entry.mended is None:
             continue
         number = f" ({entry.number})" if entry.number else ""
-        doubt = " The slip may be the scan's." if entry.doubtful else ""
         yield "\n".join(
             (
                 f"  slide {entry.slide}{number}, {verdict.chapter.system}: {entry.id}",
-                PAGE.prose(f"printed: {short(entry.printed)}", indent=6),
-                PAGE.prose(f"mended:  {mended_text(verdict)}", indent=6),
-                PAGE.prose(f"{entry.reason[0].upper()}{entry.reason[1:]}.{doubt}".replace("..", "."), indent=6),
+                filled(f"printed: {difference(entry.mended, entry.printed)}", indent=6),
+                filled(f"mended:  {mended_text(verdict)}", indent=6),
+                filled(f"because: {reason(verdict)}", indent=6),
             )
         )
+
+
+def reason(verdict: Verdict) -> str:
+    """Why a printed form is a mistake."""
+    doubt = " (the slip may be the scan's)" if verdict.entry.doubtful else ""
+    return verdict.entry.reason.rstrip(".") + doubt
 
 
 def missing(chapter: Chapter) -> str:
@@ -158,13 +170,8 @@ def missing(chapter: Chapter) -> str:
         return ""
     robot = load(chapter.robot)
     names = ", ".join(robot.parameters)
-    return PAGE.prose(
+    return filled(
         f"The lecture names the joints of this arm and gives no table: alpha, a and d of {len(robot.joints)} rows are "
         f"missing, so that nothing but its variables can be compared. kinsym's own {robot.name} has {names} in their "
         f"places (kinsym show {robot.name})."
     )
-
-
-def short(form: Form) -> str:
-    """A form as one line, its matrices left out."""
-    return form.claim or " = ".join(text if not text.startswith("[") else "[...]" for text in form.texts)

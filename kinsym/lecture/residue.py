@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from math import isqrt
+from typing import Any, TypeAlias
 
 from sympy.ntheory import sqrt_mod
 
@@ -50,7 +51,8 @@ class Residue:
         return self.value != 0
 
 
-Scalar = Residue | Fraction
+Scalar: TypeAlias = Any
+"""A Residue or a Fraction: the same kind throughout one evaluation, which annotations cannot say."""
 
 
 def residue_of_fraction(value: Fraction) -> Residue:

@@ -1,7 +1,7 @@
 """The general screw displacement: a turn about and a slide along one axis.
 
-An axis with three components that are symbols has no exact frame, so the lecture's formula is held against displacements
-that kinsym derives for random axes with rational components, about a point that is a symbol.
+An axis with three components that are symbols has no exact frame, so the lecture's formula is held against the
+displacements that kinsym derives for random axes with rational components, about a point that is a symbol.
 """
 
 from __future__ import annotations

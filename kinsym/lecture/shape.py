@@ -10,12 +10,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 from fractions import Fraction
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from kinsym.algebra import tree as trees
 from kinsym.lecture.notation import Apply, Binary, Name, Negative, Node, Number, Power
 
-Key: TypeAlias = tuple[object, ...]
+Key: TypeAlias = tuple[Any, ...]
 Shape: TypeAlias = tuple[int, Key]
 """A sign and a form that begins without one."""
 NameOf: TypeAlias = Callable[[str], Shape]
@@ -45,7 +45,7 @@ def total(parts: Iterable[Shape]) -> Shape:
     flat: list[Shape] = []
     for sign, key in parts:
         if key[0] == "sum":
-            flat += [(sign * inner, term) for inner, term in key[1]]  # type: ignore[attr-defined]
+            flat += [(sign * inner, term) for inner, term in key[1]]
         elif key != ("number", Fraction(0)):
             flat.append((sign, key))
     flat.sort(key=lambda shape: repr(shape[1]))
@@ -65,15 +65,10 @@ def product(above: Iterable[Shape], below: Iterable[Shape] = ()) -> Shape:
     for factors, top, bottom in ((above, over, under), (below, under, over)):
         for factor, key in factors:
             sign *= factor
-            if key[0] == "product":
-                _, inner, more, less = key
-                value = value * inner if top is over else value / inner  # type: ignore[operator]
-                top += more  # type: ignore[operator]
-                bottom += less  # type: ignore[operator]
-            elif key[0] == "number":
-                value = value * key[1] if top is over else value / key[1]  # type: ignore[operator]
-            else:
-                top.append(key)
+            inner, more, less = _parts(key)
+            value = value * inner if top is over else value / inner
+            top.extend(more)
+            bottom.extend(less)
     if not value:
         return number(0)
     if ("name", "pm") in over:
@@ -83,6 +78,13 @@ def product(above: Iterable[Shape], below: Iterable[Shape] = ()) -> Shape:
     if not over and not under:
         return sign, ("number", value)
     return sign, ("product", value, tuple(sorted(over, key=repr)), tuple(sorted(under, key=repr)))
+
+
+def _parts(key: Key) -> tuple[Fraction, tuple[Key, ...], tuple[Key, ...]]:
+    """A factor as a number, factors and divisors."""
+    if key[0] == "product":
+        return key[1:]
+    return (key[1], (), ()) if key[0] == "number" else (Fraction(1), (key,), ())
 
 
 def power(base: Shape, exponent: int) -> Shape:
@@ -191,5 +193,3 @@ def lecture_names(base: str) -> NameOf:
         return circular("cos" if found[1] == "c" else "sin", [(base + digit, 1) for digit in found[2]])
 
     return name_of
-
-

@@ -93,7 +93,7 @@ def _solved(known: Known, unknown: str) -> dict[str, Value]:
 
 
 def _printed_is_branch(case: Case, known: Known, values: list[Value]) -> bool:
-    """With either sign, the formula as it is printed gives one of the branches, up to what an inverse tangent leaves open."""
+    """With either sign the printed formula gives one of the branches, up to the half turn an inverse tangent leaves."""
     left, right = case.form.members[0], case.form.members[-1]
     signs = (Residue(1), -Residue(1)) if "pm" in names_of(right) else (Residue(1),)
     for sign in signs:
@@ -190,7 +190,9 @@ def _walk(case: Case, way: Mapping[str, object], reading: Reading) -> list[dict[
 def _reaching(way: Mapping[str, object], reading: Reading, found: list[dict[str, Value]]) -> list[dict[str, Value]]:
     """The different solutions, all of which must reach the pose, the one it was made from among them."""
     assert reading.system is not None
-    goal = parse(str(way.get("reaches", "T_0_E" if reading.system.screws else f"T_0_{len(reading.system.robot.joints)}")))
+    goal = parse(
+        str(way.get("reaches", "T_0_E" if reading.system.screws else f"T_0_{len(reading.system.robot.joints)}"))
+    )
     wanted = reading.evaluate(goal)
     joints = reading.system.robot.variables
     different: list[dict[str, Value]] = []
@@ -204,5 +206,3 @@ def _reaching(way: Mapping[str, object], reading: Reading, found: list[dict[str,
     if not any(all(agree(value, reading.values[name]) for name, value in q.items()) for q in different):
         raise Undefined("the joint values of the pose are not among the solutions")
     return different
-
-

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from kinsym.algebra.field import PRIME, inverse
 from kinsym.algebra.linear import kernel
 from kinsym.lecture.case import Case
-from kinsym.lecture.notation import parse, parse_any
+from kinsym.lecture.notation import parse_any
 from kinsym.lecture.quantities import Turn, Value
 from kinsym.lecture.reading import Reading, read
 from kinsym.lecture.residue import Residue, Undefined
@@ -45,20 +45,18 @@ def rank(case: Case) -> bool:
 def _derivative(reading: Reading, formula: str) -> list[list[int]]:
     """The Jacobian of a quantity's entries, one row each.
 
-    Each entry is linear in the cosine and sine of one joint angle, so that half the difference between a quarter turn on
-    and a quarter turn back is the derivative.
+    Each entry is linear in the cosine and sine of one joint angle, so that half the difference between a quarter turn
+    on and a quarter turn back is the derivative.
     """
     assert reading.system is not None
     columns = []
     for joint in reading.system.robot.moving:
         name = joint.variable or ""
         value = reading.values[name]
-        if isinstance(value, Turn):
-            ahead, behind, scale = value.plus(QUARTER), value.plus(QUARTER.opposite()), inverse(2)
-        else:
-            assert isinstance(value, Residue)
-            ahead, behind, scale = value + Residue(1), value, 1
-        after, before = (_entries(_with(reading, {name: place}), formula) for place in (ahead, behind))
+        turns = isinstance(value, Turn)
+        places = (value.plus(QUARTER), value.plus(QUARTER.opposite())) if turns else (value + Residue(1), value)
+        scale = inverse(2) if turns else 1
+        after, before = (_entries(_with(reading, {name: place}), formula) for place in places)
         columns.append([(x - y).value * scale % PRIME for x, y in zip(after, before, strict=True)])
     return [list(row) for row in zip(*columns, strict=True)]
 
@@ -90,7 +88,7 @@ def solves(case: Case) -> bool:
                     there = Reading(case.chapter, reading.system, reading.values, {unknown: Residue(value)})
                     sides.append([there.evaluate.scalar(side) for side in (left, right)])
                 (a1, b1), (a0, b0) = sides
-                difference = (a1 - b1) - (a0 - b0)  # type: ignore[operator]
+                difference = (a1 - b1) - (a0 - b0)
                 assert isinstance(difference, Residue)
                 row.append(difference.value)
             matrix.append(row)
@@ -113,5 +111,3 @@ def divides(case: Case) -> bool:
                 continue
             return False
     return True
-
-

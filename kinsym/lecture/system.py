@@ -107,7 +107,7 @@ class System:
 
 
 def rows_of(robot: Robot, first: int, last: int) -> Robot:
-    """Some rows of a table as a robot; a screw table's home pose becomes the base frame, so that T is the displacement."""
+    """Some rows of a table as a robot; the home pose of screws becomes the base frame, so that T is a displacement."""
     return replace(
         robot,
         joints=robot.joints[first:last],

@@ -24,7 +24,7 @@ COORDINATES = {
     Task.SCARA: {"x": 1, "y": 1, "z": 1, "angle": 1},
     Task.POSITION_AXIS: {"position": 3, "orientation": 3},
 }
-"""What the coordinates of a task may mean, and how often. The lecture gives an arm of five joints a whole orientation."""
+"""What the coordinates of a task may mean, and how often; the lecture gives five joints a whole orientation."""
 
 
 def table(case: Case) -> bool:
