@@ -31,7 +31,7 @@ def elementary(transform: str, length: str = "", angle: str = "") -> Matrix:
     Sym(name='a2')
     """
     place = "XYZ".index(transform[-1])
-    rows = [[ONE if i == k else ZERO for k in range(4)] for i in range(4)]
+    rows: list[list[Tree]] = [[ONE if i == k else ZERO for k in range(4)] for i in range(4)]
     if length:
         rows[place][3] = Sym(length)
     if angle:

@@ -19,11 +19,12 @@ from kinsym.lecture.quantities import (
     direction,
     dot,
     entrywise,
+    is_scalar,
     matmul,
     rigid_inverse,
     transpose,
 )
-from kinsym.lecture.residue import Residue, Scalar, Undefined, residue_of_fraction, root
+from kinsym.lecture.residue import Scalar, Undefined, residue_of_fraction, root
 
 ValueOf = Callable[[str], Value]
 
@@ -80,7 +81,7 @@ class Evaluator:
     def scalar(self, node: Node) -> Scalar:
         """The value of a formula that is a number."""
         value = self(node)
-        if not isinstance(value, Residue | Fraction):
+        if not is_scalar(value):
             raise Undefined("a number is wanted where an angle or a matrix stands")
         return value
 
@@ -98,7 +99,7 @@ class Evaluator:
     def _turn(self, value: Value) -> Turn:
         if isinstance(value, Pi):
             value = self._quarters(value) if self.exact else value.turn()
-        if isinstance(value, Residue | Fraction) and not value:
+        if is_scalar(value) and not value:
             value = Turn(self.number(1), self.number(0))
         if not isinstance(value, Turn):
             raise Undefined("an angle is wanted where a number or a matrix stands")
@@ -127,7 +128,7 @@ class Evaluator:
     def _sum(self, left: Value, right: Value, sign: int) -> Value:
         if isinstance(left, tuple) and isinstance(right, tuple):
             return entrywise(left, right, sign)
-        if isinstance(left, Residue | Fraction) and isinstance(right, Residue | Fraction):
+        if is_scalar(left) and is_scalar(right):
             return left + right if sign > 0 else left - right
         first, second = self._turn(left), self._turn(right)
         return first.plus(second if sign > 0 else second.opposite())
@@ -137,12 +138,12 @@ class Evaluator:
             return matmul(left, right)
         if isinstance(left, tuple) or isinstance(right, tuple):
             factor, matrix = (right, left) if isinstance(left, tuple) else (left, right)
-            if not isinstance(factor, Residue | Fraction) or not isinstance(matrix, tuple):
+            if not is_scalar(factor) or not isinstance(matrix, tuple):
                 raise Undefined("a matrix is multiplied by what is no number")
             return tuple(tuple(cell * factor for cell in row) for row in matrix)
-        if isinstance(left, Residue | Fraction) and isinstance(right, Residue | Fraction):
+        if is_scalar(left) and is_scalar(right):
             return left * right
-        count, angle = (left, right) if isinstance(left, Residue | Fraction) else (right, left)
+        count, angle = (left, right) if is_scalar(left) else (right, left)
         return self._multiple(count, angle)
 
     def _multiple(self, count: Value, angle: Value) -> Value:
@@ -166,7 +167,7 @@ class Evaluator:
         divisor = self.scalar(below)
         if not divisor:
             raise Undefined("division by zero")
-        if not isinstance(left, Residue | Fraction):
+        if not is_scalar(left):
             raise Undefined("an angle or a matrix is divided")
         return left / divisor
 

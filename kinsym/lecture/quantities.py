@@ -79,6 +79,11 @@ Value: TypeAlias = Any
 """A Scalar, a Turn, a Slope, a Pi or a Matrix."""
 
 
+def is_scalar(value: Value) -> bool:
+    """Whether a value is a number."""
+    return isinstance(value, Residue | Fraction)
+
+
 def direction(x: Scalar, y: Scalar) -> Turn:
     """The angle Atan2(y, x) of a point; of a point on the unit circle exactly, of another up to half a turn.
 
@@ -173,4 +178,4 @@ def agree(left: Value, right: Value) -> bool:
         return left.holds(right)
     if isinstance(right, Slope) and isinstance(left, Turn):
         return right.holds(left)
-    return left == right
+    return bool(left == right)
