@@ -92,6 +92,7 @@ class Chapter:
     frames: tuple[str, ...]
     shorthand: str
     names: Mapping[str, Node] = field(hash=False)
+    aliases: Mapping[str, str] = field(hash=False)
     pose: tuple[str, ...]
     free: Mapping[str, str] = field(hash=False)
     task: Mapping[str, str] = field(hash=False)
@@ -142,6 +143,7 @@ def chapter_of(file: str, content: Mapping[str, Any]) -> Chapter:
         frames=tuple(content.get("frames", ())),
         shorthand=str(content.get("shorthand", "theta")),
         names={name: parse_any(text) for name, text in content.get("names", {}).items()},
+        aliases=dict(content.get("aliases", {})),
         pose=tuple(content.get("pose", ())),
         free=dict(content.get("free", {})),
         task=dict(content.get("task", {})),

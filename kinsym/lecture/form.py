@@ -6,10 +6,13 @@ from enum import Enum
 
 from kinsym.lecture.case import Case
 from kinsym.lecture.chapter import Chapter, Entry
-from kinsym.lecture.notation import Apply, Binary, Name, Node
+from kinsym.lecture.notation import Apply, Binary, Grid, Name, Node
+from kinsym.lecture.stated import Lecture, equation, stated
+from kinsym.lecture.system import System
 from kinsym.lecture.printed import Printed, Shapes, row_factors, row_names
 
-COMPARED = ("link_transform", "link_transform_inverse", "product", "fk_element", "ik_solution", "screw")
+COUNTED = ("link_transform", "link_transform_inverse", "product", "fk_element", "ik_solution")
+COMPARED = ("link_transform", "link_transform_inverse", "product", "fk_element", "ik_solution", "screw", "ik_intermediate", "loop_closure", "pieper", "polynomial_reduction")
 """The kinds of entries that are compared with kinsym's output."""
 
 
@@ -28,9 +31,19 @@ def likeness(chapter: Chapter, entry: Entry) -> Likeness:
     if entry.kind not in COMPARED or system is None or not case.form.members:
         return Likeness.NONE
     printed = Printed(chapter, system)
-    if entry.kind == "screw" and not any(map(printed.find, case.form.members)):
+    if _stated(case, system):
+        return Likeness.SAME
+    if entry.kind not in COUNTED and not any(map(printed.find, case.form.members)):
         return Likeness.NONE
     return Likeness.SAME if _alike(case, printed) else Likeness.OTHER
+
+
+def _stated(case: Case, system: System) -> bool:
+    """Whether one of the lecture's methods, applied to the arm, states the equation: each member after the first."""
+    lecture = Lecture(case.chapter, system, case.chapter.aliases)
+    first, *others = (list(lecture.sides(member)) for member in case.form.members)
+    known = stated(system)
+    return all(any(equation(x, y) in known for x in first for y in other) for other in others)
 
 
 def _alike(case: Case, printed: Printed) -> bool:
@@ -46,7 +59,7 @@ def _alike(case: Case, printed: Printed) -> bool:
 
 
 def _same(case: Case, printed: Printed, member: Node, shown: Shapes, other: Node) -> bool:
-    if shown in (printed.written(other), printed.find(other)):
+    if shown == printed.find(other) or _same_cells(printed, shown, other):
         return True
     links = printed.links_of(member)
     if links is not None and printed.links_of(other) == links:
@@ -55,6 +68,19 @@ def _same(case: Case, printed: Printed, member: Node, shown: Shapes, other: Node
         return _same_factors(case, printed, links)
     one = links is not None and len(links) == 1
     return one and _applied(case.chapter, other) in row_names(printed.system, links[0] if links else 0)
+
+
+def _same_cells(printed: Printed, shown: Shapes, other: Node) -> bool:
+    """Cell by cell what is printed; a cell may be the name that the lecture gives this entry."""
+    written = printed.written(other)
+    if written is None or [len(row) for row in written] != [len(row) for row in shown]:
+        return False
+    rows = other.rows if isinstance(other, Grid) else ((other,),)
+    return all(
+        cell == entry or printed.find(node) == ((entry,),)
+        for nodes, cells, entries in zip(rows, written, shown, strict=True)
+        for node, cell, entry in zip(nodes, cells, entries, strict=True)
+    )
 
 
 def _same_factors(case: Case, printed: Printed, links: tuple[int, ...] | None) -> bool:

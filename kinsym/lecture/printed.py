@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from types import MappingProxyType
 
 from kinsym.kinematics.chain import Chain
 from kinsym.kinematics.elementary import FACTORS, SCREWS, elementary
@@ -73,9 +74,12 @@ class Printed:
             case _:
                 return None
 
-    def written(self, node: Node) -> Shapes | None:
-        """The shapes of a formula or matrix that the lecture writes out; None where it only names matrices."""
-        names = lecture_names(self.chapter.shorthand)
+    def written(self, node: Node, aliases: Mapping[str, str] = MappingProxyType({})) -> Shapes | None:
+        """The shapes of a formula or matrix that the lecture writes out; None where it only names matrices.
+
+        ``aliases`` says what kinsym calls some of its symbols.
+        """
+        names = lecture_names(self.chapter.shorthand, aliases)
         node = self._spelled(node)
         try:
             if isinstance(node, Grid):
@@ -145,6 +149,8 @@ class Printed:
 
 def shapes(derived: Derived) -> Shapes:
     """A printed matrix as shapes."""
+    if derived.general is not None:
+        return tuple(tuple(shape_of_tree(cell, name) for cell in row) for row in derived.general)
     names = chain_names(derived.chain)
     return tuple(tuple(shape_of_tree(cell, names) for cell in row) for row in derived.matrix)
 

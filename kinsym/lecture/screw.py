@@ -7,12 +7,14 @@ displacements that kinsym derives for random axes with rational components, abou
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 from fractions import Fraction
 
 from sympy import Rational
 
 from kinsym.lecture.quantities import Value
 from kinsym.lecture.residue import residue_of_fraction
+from kinsym.methods.screws import general_displacement
 from kinsym.lecture.system import Derived, System, base_frame
 from kinsym.robot.expressions import symbol
 from kinsym.robot.model import Convention, Joint, Robot
@@ -43,7 +45,9 @@ class GeneralScrew(System):
 
     def link(self, number: int) -> Derived:
         """A1 is the whole displacement."""
-        return self.part(0, 2)
+        words = ("theta", "d", *(f"{letter}_{row}" for letter in ("s", "so") for row in "xyz"))
+        general = general_displacement({word: word for word in words}).rows
+        return replace(self.part(0, 2), general=general, links=(1,))
 
     @property
     def fixed(self) -> dict[str, Value]:

@@ -8,8 +8,9 @@ theta2), and 1 - cos(theta) is what the lecture calls v(theta).
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
+from types import MappingProxyType
 from typing import Any, TypeAlias
 
 from kinsym.algebra import tree as trees
@@ -172,6 +173,8 @@ def shape_of_tree(tree: trees.Tree, name_of: NameOf) -> Shape:
         case trees.PlusMinus(left, right):
             either = product((name("pm"), inner(right)))
             return either if left is None else total((inner(left), either))
+        case trees.Call("v", (trees.Sym(angle),)):
+            return total((number(1), minus(circular("cos", [(angle, 1)]))))
         case trees.Call("cos" | "sin" as function, (trees.Sym(angle),)):
             return circular(function, [(angle, 1)])
         case trees.Call(function, arguments):
@@ -183,13 +186,13 @@ def shape_of_tree(tree: trees.Tree, name_of: NameOf) -> Shape:
 _SHORTHAND = re.compile(r"([cs])([1-9]+)")
 
 
-def lecture_names(base: str) -> NameOf:
-    """The lecture's symbols; ``base`` is what its shorthand calls an angle, theta or q."""
+def lecture_names(base: str, aliases: Mapping[str, str] = MappingProxyType({})) -> NameOf:
+    """The lecture's symbols; ``base`` is what its shorthand calls an angle, theta or q, ``aliases`` other names."""
 
     def name_of(text: str) -> Shape:
         found = _SHORTHAND.fullmatch(text)
         if not found:
-            return name(text)
+            return name(aliases.get(text, text))
         return circular("cos" if found[1] == "c" else "sin", [(base + digit, 1) for digit in found[2]])
 
     return name_of

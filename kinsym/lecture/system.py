@@ -26,11 +26,15 @@ from kinsym.robot.model import Convention, Home, Robot
 
 @dataclass(frozen=True)
 class Derived:
-    """A matrix as kinsym prints it, with the chain whose names it uses; ``links`` are the factors it was made from."""
+    """A matrix as kinsym prints it, with the chain whose names it uses.
+
+    ``links`` are the rows it is the product of. ``general`` is how kinsym prints it where the chain is only an example.
+    """
 
     chain: Chain
     matrix: Matrix
     links: tuple[int, ...]
+    general: Matrix | None = None
 
 
 class System:
