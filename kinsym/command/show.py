@@ -6,6 +6,7 @@ import argparse
 
 from kinsym.command.screen import Screen
 from kinsym.command.table import robot_of, say_notes
+from kinsym.errors import KinsymError
 
 
 def show(options: argparse.Namespace, screen: Screen) -> int:
@@ -16,6 +17,8 @@ def show(options: argparse.Namespace, screen: Screen) -> int:
     robot = robot_of(options)
     say_notes(robot, screen)
     if options.method is not None:
+        if options.deadline is not None or options.full:
+            raise KinsymError("--deadline and --full belong to the usual derivation. Leave them out with --method.")
         from kinsym.emit.text.methods import method_text
         from kinsym.methods import METHODS
 

@@ -42,6 +42,7 @@ from kinsym.methods.wrist_point import angle_of
 from kinsym.robot.model import Robot
 
 NAME, TITLE = "zyz", "Wrist by Z-Y-Z Euler angles"
+_METHOD = "the wrist by Z-Y-Z Euler angles"
 
 
 @dataclass(frozen=True)
@@ -84,11 +85,11 @@ def zyz(robot: Robot) -> MethodDerivation:
     Raises :class:`DoesNotApply` where axes do not meet, or neighbours are not at right angles.
     """
     robot = unlocked(robot)
-    needs_wrist(robot, TITLE, alone=True)
+    needs_wrist(robot, _METHOD, alone=True)
     chain = build_chain(craig_table(robot))
     draft = Draft(chain, method=NAME, title=TITLE)
     if not state_wrist_of(draft):
-        raise DoesNotApply(f"{TITLE} does not apply to {robot.name}: {_not_square(chain)}.")
+        raise DoesNotApply(f"{_METHOD} does not apply to {robot.name}: {_not_square(chain)}.")
     return draft.done()
 
 
@@ -103,7 +104,7 @@ def state_wrist_of(draft: Draft) -> bool:
     for i in (first, first + 1):
         if chain.joints[i].after.rotation[2][2] in (ring.one, -ring.one):
             raise DoesNotApply(
-                f"{TITLE} does not apply to {chain.robot.name}: axes {chain.numbers[i]} and {chain.numbers[i + 1]} are "
+                f"{_METHOD} does not apply to {chain.robot.name}: axes {chain.numbers[i]} and {chain.numbers[i + 1]} are "
                 f"parallel."
             )
     wrist = _rotation(chain, first, last)

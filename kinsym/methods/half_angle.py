@@ -6,6 +6,8 @@ Pieper's two equations in two angles, which become a polynomial of degree four (
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from sympy import Integer
 
 from kinsym.algebra.tree import Sym, Tree
@@ -52,7 +54,7 @@ def general() -> MethodDerivation:
     a, b = symbol("a"), symbol("b")
     joint = Joint(kind="R", variable="theta", alpha=zero, a=a, d=zero, theta=symbol("theta"))
     tool = ((one, zero, zero, zero), (zero, one, zero, -b), (zero, zero, one, zero), (zero, zero, zero, one))
-    parameters = {"a": None, "b": None}
+    parameters: dict[str, Fraction | None] = {"a": None, "b": None}
     link = Robot(name="link", title="", convention=Convention.PAUL, joints=(joint,), parameters=parameters, tool=tool)
     chain = build_chain(link)
     draft = Draft(chain, method=NAME, title=TITLE)

@@ -8,7 +8,7 @@ from sympy import Expr, Integer
 
 from kinsym.errors import DoesNotApply
 from kinsym.inverse.neighbours import MEET, changes, paul_table
-from kinsym.kinematics.chain import build_chain
+from kinsym.kinematics.chain import build_chain, chain_to_solve
 from kinsym.kinematics.convert import convert
 from kinsym.robot.model import Convention, Joint, Robot
 
@@ -16,8 +16,19 @@ ZERO = Integer(0)
 
 
 def unlocked(robot: Robot) -> Robot:
-    """The robot with every joint free: the lecture's methods know no locked joint."""
-    return replace(robot, locks={})
+    """The robot with its locked joints as constant rows of Paul's table: the lecture's methods know no locked joint.
+
+    Raises :class:`DoesNotApply` where there is no such table.
+    """
+    if not robot.locks:
+        return robot
+    table = paul_table(chain_to_solve(robot))
+    if table is None:
+        raise DoesNotApply(
+            f"no method applies to {robot.name} with {', '.join(robot.locks)} locked: the rows that are left have no "
+            f"exact form. Lock at multiples of pi/2, or use the usual derivation."
+        )
+    return table
 
 
 def craig_table(robot: Robot) -> Robot:
