@@ -83,7 +83,12 @@ class Entry:
 
 @dataclass(frozen=True, kw_only=True)
 class Chapter:
-    """One file of equations; ``names`` are formulas over kinsym's quantities, ``free`` symbols that may be anything."""
+    """One file of equations.
+
+    ``names`` are formulas over kinsym's quantities, ``free`` symbols that may be anything. ``methods`` are those of
+    kinsym's methods that the part of the lecture teaches, stated of the arm ``shown_by``, where some of the lecture's
+    symbols have other names, ``aliases``.
+    """
 
     file: str
     title: str
@@ -93,6 +98,8 @@ class Chapter:
     shorthand: str
     names: Mapping[str, Node] = field(hash=False)
     aliases: Mapping[str, str] = field(hash=False)
+    methods: tuple[str, ...]
+    shown_by: str
     pose: tuple[str, ...]
     free: Mapping[str, str] = field(hash=False)
     task: Mapping[str, str] = field(hash=False)
@@ -144,11 +151,13 @@ def chapter_of(file: str, content: Mapping[str, Any]) -> Chapter:
         shorthand=str(content.get("shorthand", "theta")),
         names={name: parse_any(text) for name, text in content.get("names", {}).items()},
         aliases=dict(content.get("aliases", {})),
+        methods=tuple(content.get("methods", ())),
+        shown_by=str(content.get("shown_by", content.get("robot", system))),
         pose=tuple(content.get("pose", ())),
         free=dict(content.get("free", {})),
         task=dict(content.get("task", {})),
         without_dimensions=bool(content.get("without_dimensions", False)),
-        entries=tuple(_entry(file, raw) for raw in content["equation"]),
+        entries=tuple(_entry(file, raw, str(content.get("instead", ""))) for raw in content["equation"]),
         ways=tuple(content.get("way", ())),
     )
 
@@ -156,7 +165,7 @@ def chapter_of(file: str, content: Mapping[str, Any]) -> Chapter:
 _PLAIN = ("id", "number", "slide", "kind", "check", "reason", "doubtful", "restored", "instead", "printed", "corrected")
 
 
-def _entry(file: str, raw: Mapping[str, Any]) -> Entry:
+def _entry(file: str, raw: Mapping[str, Any], instead: str) -> Entry:
     if raw["kind"] not in KINDS:
         raise NotationError(f"{file}, {raw['id']}: no kind of entry is called {raw['kind']!r}.")
     common = {key: value for key, value in raw.items() if key not in _PLAIN}
@@ -172,7 +181,7 @@ def _entry(file: str, raw: Mapping[str, Any]) -> Entry:
         reason=str(raw.get("reason", "")),
         doubtful=bool(raw.get("doubtful", False)),
         restored=str(raw.get("restored", "")),
-        instead=str(raw.get("instead", "")),
+        instead=str(raw.get("instead", instead)),
     )
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from kinsym.lecture.form import Likeness
-from kinsym.lecture.report import COUNTED, difference, mended_text, reason
+from kinsym.lecture.form import COUNTED, Likeness
+from kinsym.lecture.report import difference, mended_text, reason
 from kinsym.lecture.sections import sections
 from kinsym.lecture.verdict import Truth, Verdict
 

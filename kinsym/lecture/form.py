@@ -3,17 +3,27 @@
 from __future__ import annotations
 
 from enum import Enum
+from typing import Any
 
 from kinsym.lecture.case import Case
 from kinsym.lecture.chapter import Chapter, Entry
-from kinsym.lecture.notation import Apply, Binary, Grid, Name, Node
-from kinsym.lecture.stated import Lecture, equation, stated
-from kinsym.lecture.system import System
+from kinsym.lecture.notation import Apply, Binary, Grid, Name, Node, parse
 from kinsym.lecture.printed import Printed, Shapes, row_factors, row_names
+from kinsym.lecture.stated import Lecture, equation, special, stated
 
 COUNTED = ("link_transform", "link_transform_inverse", "product", "fk_element", "ik_solution")
-COMPARED = ("link_transform", "link_transform_inverse", "product", "fk_element", "ik_solution", "screw", "ik_intermediate", "loop_closure", "pieper", "polynomial_reduction")
-"""The kinds of entries that are compared with kinsym's output."""
+"""The kinds of which a share in the printed form is told."""
+
+COMPARED = (
+    *COUNTED,
+    "screw",
+    "loop_closure",
+    "ik_intermediate",
+    "polynomial_reduction",
+    "pieper",
+    "frame_terminology",
+)
+"""The kinds of entries that are compared with kinsym's output where they are equations."""
 
 
 class Likeness(Enum):
@@ -27,23 +37,42 @@ class Likeness(Enum):
 def likeness(chapter: Chapter, entry: Entry) -> Likeness:
     """Whether kinsym's output has the form that the lecture prints or, where that is a mistake, means."""
     case = Case(chapter, entry, entry.mended or entry.printed)
-    system = case.system()
-    if entry.kind not in COMPARED or system is None or not case.form.members:
+    if entry.kind not in COMPARED:
         return Likeness.NONE
-    printed = Printed(chapter, system)
-    if _stated(case, system):
+    if not case.form.members and entry.kind not in COUNTED:
+        return Likeness.NONE
+    if chapter.methods and _stated(case):
         return Likeness.SAME
-    if entry.kind not in COUNTED and not any(map(printed.find, case.form.members)):
-        return Likeness.NONE
-    return Likeness.SAME if _alike(case, printed) else Likeness.OTHER
+    system = case.system()
+    if system is not None and _alike(case, Printed(chapter, system)):
+        return Likeness.SAME
+    return Likeness.OTHER
 
 
-def _stated(case: Case, system: System) -> bool:
-    """Whether one of the lecture's methods, applied to the arm, states the equation: each member after the first."""
-    lecture = Lecture(case.chapter, system, case.chapter.aliases)
+def _stated(case: Case) -> bool:
+    """Whether one of the lecture's methods, applied to the arm, states the equation: each member with the first."""
+    chapter = case.chapter
+    arm = special(chapter.shown_by, case.option("given") or {})
+    lecture = Lecture(chapter, arm, chapter.aliases)
+    known = stated(arm, chapter.methods)
+    if not case.form.members:
+        return False
     first, *others = (list(lecture.sides(member)) for member in case.form.members)
-    known = stated(system)
-    return all(any(equation(x, y) in known for x in first for y in other) for other in others)
+    if all(any(equation(x, y) in known for x in first for y in other) for other in others):
+        return True
+    return _stated_by_row(case, lecture, known)
+
+
+def _stated_by_row(case: Case, lecture: Lecture, known: frozenset[Any]) -> bool:
+    """Whether an equation of vectors is stated row by row."""
+    left, right = case.form.texts[0], case.form.texts[-1]
+    if "_vec" not in left or "_vec" not in right:
+        return False
+    for row in "xyz":
+        sides = [list(lecture.sides(parse(text.replace("_vec", f"_{row}")))) for text in (left, right)]
+        if not any(equation(x, y) in known for x in sides[0] for y in sides[1]):
+            return False
+    return True
 
 
 def _alike(case: Case, printed: Printed) -> bool:

@@ -9,16 +9,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from kinsym.emit.text.page import Page
 from kinsym.errors import KinsymError
 from kinsym.lecture.chapter import KINDS, Chapter, Form, chapters
-from kinsym.lecture.form import Likeness
+from kinsym.lecture.form import COUNTED, Likeness
 from kinsym.lecture.verdict import Truth, Verdict
 from kinsym.robot import load
 from kinsym.robot.names import nearest, shown
 
 WIDTH = 80
 PAGE = Page(width=WIDTH)
-
-COUNTED = ("link_transform", "link_transform_inverse", "product", "fk_element", "ik_solution")
-"""The kinds of which a share in the printed form is told."""
 
 
 def filled(text: str, *, indent: int = 2) -> str:

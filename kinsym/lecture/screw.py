@@ -14,8 +14,8 @@ from sympy import Rational
 
 from kinsym.lecture.quantities import Value
 from kinsym.lecture.residue import residue_of_fraction
-from kinsym.methods.screws import general_displacement
 from kinsym.lecture.system import Derived, System, base_frame
+from kinsym.methods.screws import general_displacement
 from kinsym.robot.expressions import symbol
 from kinsym.robot.model import Convention, Joint, Robot
 

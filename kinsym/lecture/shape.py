@@ -141,12 +141,29 @@ def _terms(node: Node) -> list[tuple[str, int]]:
     match node:
         case Name(text):
             return [(text, 1)]
+        case Apply("deg", (Number(value),)) if value == 180:
+            return [("pi", 1)]
         case Negative(body):
             return [(text, -count) for text, count in _terms(body)]
         case Binary("+", left, right):
             return _terms(left) + _terms(right)
         case Binary("-", left, right):
             return _terms(left) + _terms(Negative(right))
+        case _:
+            raise NoShape("an angle that is no sum")
+
+
+def _tree_terms(tree: trees.Tree) -> list[tuple[str, int]]:
+    """The angles in a sum that is a tree."""
+    match tree:
+        case trees.Sym(text):
+            return [(text, 1)]
+        case trees.Pi():
+            return [("pi", 1)]
+        case trees.Prod((trees.Num(value), trees.Sym(text))) if value == -1:
+            return [(text, -1)]
+        case trees.Sum(terms):
+            return [pair for term in terms for pair in _tree_terms(term)]
         case _:
             raise NoShape("an angle that is no sum")
 
@@ -175,8 +192,8 @@ def shape_of_tree(tree: trees.Tree, name_of: NameOf) -> Shape:
             return either if left is None else total((inner(left), either))
         case trees.Call("v", (trees.Sym(angle),)):
             return total((number(1), minus(circular("cos", [(angle, 1)]))))
-        case trees.Call("cos" | "sin" as function, (trees.Sym(angle),)):
-            return circular(function, [(angle, 1)])
+        case trees.Call("cos" | "sin" as function, (angle,)):
+            return circular(function, _tree_terms(angle))
         case trees.Call(function, arguments):
             return call(function, map(inner, arguments))
         case _:

@@ -1,24 +1,25 @@
 """What kinsym states of a system by the lecture's methods, as forms of equations.
 
-Every method that applies to the arm is derived, and its numbered equations are collected. A side is a shape, a matrix of
-shapes, or a product of named matrices, each with its mark for an inverse or a transpose.
+The methods that a chapter teaches are applied to its arm, and their numbered equations are collected. A side is a
+shape, a matrix of shapes, or a product of named matrices, each with its mark for an inverse or a transpose.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from fractions import Fraction
 from functools import lru_cache
 from typing import Any, TypeAlias
 
-from kinsym.errors import KinsymError
 from kinsym.lecture.chapter import Chapter
 from kinsym.lecture.notation import Apply, Binary, Grid, Name, Node
 from kinsym.lecture.printed import Printed, chain_names
 from kinsym.lecture.shape import NameOf, NoShape, Shape, number, shape_of_tree
-from kinsym.lecture.system import System
+from kinsym.lecture.system import System, system
 from kinsym.methods import METHODS
 from kinsym.methods.document import INVERSE, TRANSPOSE, Factor, Matrix, Product, Side
+from kinsym.robot import bind
 
 Form: TypeAlias = tuple[Any, ...]
 """``("scalar", shape)``, ``("matrix", rows)`` or ``("product", factors)``."""
@@ -37,16 +38,16 @@ def equation(left: Form, right: Form) -> frozenset[Form] | tuple[Form, ...]:
     return frozenset((left, right))
 
 
-@lru_cache(maxsize=32)
-def stated(system: System) -> frozenset[Any]:
-    """The equations that the methods state of an arm."""
+@lru_cache(maxsize=64)
+def stated(arm: System, methods: tuple[str, ...]) -> frozenset[Any]:
+    """The equations that some methods state of an arm.
+
+    Raises DoesNotApply where one of them does not fit the arm.
+    """
     found: set[Any] = set()
-    for method in METHODS.values():
-        try:
-            derivation = method(system.robot)
-        except KinsymError:
-            continue
-        names = chain_names(system.chain)
+    names = chain_names(arm.chain)
+    for method in methods:
+        derivation = METHODS[method](arm.robot)
         for item in derivation.equations:
             if item.sign != "=":
                 continue
@@ -55,6 +56,12 @@ def stated(system: System) -> frozenset[Any]:
             except NoShape:
                 continue
     return frozenset(found)
+
+
+def special(name: str, given: Mapping[str, str]) -> System:
+    """The system of a robot with numbers for some of its parameters: the arm of a special case."""
+    numbers = {text: Fraction(value) for text, value in given.items() if value.isdecimal()}
+    return System(bind(system(name).robot, numbers)) if numbers else system(name)
 
 
 def _side(side: Side, names: NameOf) -> Form:
@@ -97,8 +104,8 @@ def plain(shape: Shape) -> Shape:
 class Lecture:
     """The same forms of what the lecture writes."""
 
-    def __init__(self, chapter: Chapter, system: System, aliases: Mapping[str, str]) -> None:
-        self.printed = Printed(chapter, system)
+    def __init__(self, chapter: Chapter, arm: System, aliases: Mapping[str, str]) -> None:
+        self.printed = Printed(chapter, arm)
         self.aliases = aliases
 
     def sides(self, node: Node) -> Iterator[Form]:
