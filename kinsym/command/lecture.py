@@ -16,22 +16,23 @@ SOURCE = "H. D. Taghirad, Robotics: Mechanics & Control, chapter 3: Kinematic An
 
 def lecture(options: argparse.Namespace, screen: Screen) -> int:
     """Print a verdict on every equation, or the mistakes; 1 unless every entry is accounted for."""
-    from kinsym.lecture.report import chosen, errata, forms, line, missing, summary
+    from kinsym.lecture.report import chosen, errata, forms, lines, missing, summary
     from kinsym.lecture.verdict import failed_ways, verdicts
 
     found: list[Verdict] = []
     failed: list[str] = []
     if options.markdown:
         return _page(options, screen)
+    selected = chosen(options.system)
     screen.say(f"{SOURCE}\n")
-    for chapter in chosen(options.system):
+    for chapter in selected:
         own = list(verdicts([chapter]))
         found += own
         failed += [f"{chapter.system}: {name}" for name in failed_ways(chapter)]
         if options.errata:
             continue
         screen.say(f"{chapter.title}\n{'-' * len(chapter.title)}")
-        screen.say("\n".join(map(line, own)) + "\n")
+        screen.say("\n".join(lines(own)) + "\n")
         if note := missing(chapter):
             screen.say(note + "\n")
     if options.errata:

@@ -44,20 +44,28 @@ def chosen(system: str | None) -> tuple[Chapter, ...]:
     return tuple(chapter for chapter in chapters() if chapter.system == system)
 
 
+def lines(verdicts: Iterable[Verdict]) -> Iterator[str]:
+    """One line an entry, with the mended form below it, and why kinsym writes it otherwise unless it was just said."""
+    said = ""
+    for verdict in verdicts:
+        yield line(verdict)
+        entry = verdict.entry
+        if verdict.truth is Truth.ERRATUM:
+            yield filled(f"mended: {mended_text(verdict)}", indent=9)
+        if verdict.likeness is Likeness.OTHER and entry.instead and entry.instead != said:
+            said = entry.instead
+            yield filled(said, indent=9)
+
+
 def line(verdict: Verdict) -> str:
     """One entry: its number, system, name and verdict.
 
     >>> from kinsym.lecture.verdict import verdict
-    >>> line(verdict(*next((c, c.entry("2.81")) for c in chapters() if c.system == "fanuc_s900w")))
-    '  2.81   fanuc_s900w           2.81              true'
+    >>> line(verdict(*next((c, c.entry("2.82")) for c in chapters() if c.system == "fanuc_s900w")))
+    '  2.82   fanuc_s900w           2.82              in the printed form'
     """
     entry = verdict.entry
-    text = f"  {entry.number:<6} {verdict.chapter.system:<21} {entry.id:<17} {_word(verdict)}"
-    if verdict.truth is Truth.ERRATUM and entry.mended is not None:
-        text += "\n" + filled(f"mended: {mended_text(verdict)}", indent=9)
-    if verdict.likeness is Likeness.OTHER and entry.instead:
-        text += "\n" + filled(entry.instead, indent=9)
-    return text
+    return f"  {entry.number:<6} {verdict.chapter.system:<21} {entry.id:<17} {_word(verdict)}"
 
 
 def _word(verdict: Verdict) -> str:

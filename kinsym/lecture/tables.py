@@ -5,8 +5,8 @@ from __future__ import annotations
 from kinsym.kinematics.chain import build_chain
 from kinsym.kinematics.tasks import fitting_task
 from kinsym.lecture.case import Case, find
+from kinsym.lecture.chapter import chapters
 from kinsym.lecture.notation import Grid, Name
-from kinsym.robot import gallery
 from kinsym.robot.expressions import parse as cell
 from kinsym.robot.model import Convention, Joint, Robot, Task
 
@@ -86,13 +86,13 @@ def _names(case: Case) -> list[str]:
 def variables(case: Case) -> bool:
     """In every table of the lecture a joint that turns has its variable in theta, one that slides in d."""
     wanted = case.option("variables")
-    for name in gallery():
+    for name in dict.fromkeys(chapter.robot for chapter in chapters() if chapter.robot):
         robot = find(name, case.generator()).robot
-        if not robot.source.startswith("H. D. Taghirad") or robot.convention is Convention.SCREW:
+        if robot.convention is Convention.SCREW:
             continue
         for joint in robot.moving:
             where = {"theta": joint.theta, "d": joint.d}[wanted[joint.kind]]
-            if where is None or not str(joint.variable).startswith(wanted[joint.kind]) or not where.free_symbols:
+            if where is None or joint.variable not in {symbol.name for symbol in where.free_symbols}:
                 return False
     return True
 
