@@ -104,8 +104,8 @@ def state_wrist_of(draft: Draft) -> bool:
     for i in (first, first + 1):
         if chain.joints[i].after.rotation[2][2] in (ring.one, -ring.one):
             raise DoesNotApply(
-                f"{_METHOD} does not apply to {chain.robot.name}: axes {chain.numbers[i]} and {chain.numbers[i + 1]} are "
-                f"parallel."
+                f"{_METHOD} does not apply to {chain.robot.name}: axes {chain.numbers[i]} and {chain.numbers[i + 1]} "
+                f"are parallel."
             )
     wrist = _rotation(chain, first, last)
     fit = fitted(ring, wrist, [own_angle(chain, joint.variable) for joint in chain.joints[first:]])

@@ -11,11 +11,11 @@ from kinsym.algebra.nested import number
 from kinsym.algebra.tree import Call, Pi, PlusMinus, Sym, Tree, add, mul, sub
 from kinsym.errors import DoesNotApply
 from kinsym.kinematics.chain import build_chain
-from kinsym.methods.algebraic import is_straight, state_last, wrist_of_plane
 from kinsym.methods.document import MethodDerivation
 from kinsym.methods.draft import Draft
 from kinsym.methods.elbow import solve_elbow
 from kinsym.methods.planar import planar_arm
+from kinsym.methods.planar_links import is_straight, state_last, state_links
 from kinsym.methods.steps import quotient, square
 from kinsym.methods.tables import unlocked
 from kinsym.methods.two_links import TwoLinks, solve_two_links
@@ -38,11 +38,11 @@ def geometric(robot: Robot) -> MethodDerivation:
                 f"{TITLE} does not apply to {robot.name}: it is not two or three straight links that turn."
             )
         draft = Draft(chain, method=NAME, title=TITLE)
-        links, (x, y) = wrist_of_plane(draft, arm, ("x", "y"))
+        stated = state_links(draft, arm, ("x", "y"))
         draft.say("The origin, the elbow and the end of link 2 are a triangle. By the law of cosines")
-        state_triangle(draft, links, x, y)
-        state_first(draft, links, x, y)
-        state_last(draft, arm)
+        state_triangle(draft, stated.links, *stated.point)
+        state_first(draft, stated.links, *stated.point)
+        state_last(draft, arm, stated.angle)
         return draft.done()
     return solve_elbow(robot, NAME, TITLE, _triangle_in_space)
 

@@ -84,13 +84,13 @@ def _state_r_and_z(draft: Draft, point: WristPoint) -> Shoulder:
     two_a1 = nested(words, 2 * a1)
     inner = nested(words, both)
     draft.state("r.f", r, add(nested(words, k3), mul(two_a1, inner)))
-    draft.say(f"With the parts that hold `{rows[2].variable}` alone under names of their own,")
+    draft.say(f"With the parts that hold `{rows[2].variable}` alone under names of their own:")
     for i, part in enumerate(parts, start=1):
         draft.define(names[f"k{i}"], nested(words, part))
     k = tuple(words[names[f"k{i}"]] if part else words.zero for i, part in enumerate(parts, start=1))
     k1, k2, k3_name, k4_name = (nested(words, part) for part in k)
     c, s = nested(words, c2), nested(words, s2)
-    draft.say("these are the lecture's two equations:")
+    draft.say("The lecture's two equations are then")
     draft.state("r", r, add(mul(add(mul(k1, c), mul(k2, s)), two_a1), k3_name))
     draft.state("z", z, add(mul(sub(mul(k1, s), mul(k2, c)), nested(words, sine)), k4_name))
     if not a1 and not sine:
@@ -237,5 +237,5 @@ def _find_first(draft: Draft, point: WristPoint) -> None:
     for along, across, known in ((g1, -g2, point.position[0]), (g2, g1, point.position[1])):
         parts = words.collect(words.mul(along, c1) + words.mul(across, s1), (angle.cosine, angle.sine))
         rows.append(Row(parts.get((1, 0), words.zero), parts.get((0, 1), words.zero), known))
-    draft.say(f"and `{angle.name}` from {{point.g}}:")
+    draft.say(f"`{angle.name}` follows from {{point.g}}:")
     two_rows(draft, words, angle, rows[0], rows[1])

@@ -118,7 +118,7 @@ def _in_angle(draft: Draft, unknown: str, parts: dict[tuple[int, ...], Tree]) ->
         (mul(TWO, add(q, b)), u),
         (add(a, p, e), ONE),
     ]
-    draft.say(f"a polynomial of degree four in `{u.name}`:")
+    draft.say(f"It is a polynomial of degree four in `{u.name}`:")
     draft.state(f"{unknown}.quartic", add(*(mul(value, power) for value, power in powers)), ZERO)
     draft.solve(unknown, mul(TWO, Call("atan", (u,))), branches=4)
 

@@ -99,7 +99,7 @@ def half_angle(draft: Draft, angle: AngleOf, a: Tree, b: Tree, e: Tree) -> None:
     name = angle.name
     linear = draft.state(f"{name}.equation", add(mul(a, angle.c), mul(b, angle.s)), e)
     u = tangent(draft, angle)
-    draft.say(f"into {{{linear.name}}}, multiplied by `1 + {u.name}^2`, and collected:")
+    draft.say(f"Put into {{{linear.name}}}, multiplied by `1 + {u.name}^2`, and collected:")
     squared = Pow(u, 2)
     draft.state(
         f"{name}.substituted",

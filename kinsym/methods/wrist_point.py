@@ -119,7 +119,7 @@ def state_wrist_point(draft: Draft) -> WristPoint:
     inner = tuple(words[names[f"f{i + 1}"]] if f[i] else words.zero for i in range(3))
     rotation = tuple(tuple(map(words.lift, row)) for row in second.rotation)
     g = Rigid(rotation, tuple(map(words.lift, second.translation))).apply(words, inner)  # type: ignore[arg-type]
-    draft.say("and `g = T_1_2 f`:")
+    draft.say("Then `g = T_1_2 f`:")
     for i in range(3):
         draft.define(names[f"g{i + 1}"], nested(words, g[i]))
     c1, s1 = (draft.tree(part) for part in turned(chain, rows[0]))

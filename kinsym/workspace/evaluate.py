@@ -152,7 +152,7 @@ def _check_rotations(turns: Floats, robot: Robot) -> None:
     if turns.ndim != 3 or turns.shape[1:] != (3, 3) or not len(turns):
         raise RobotError(f"orientations have the shape (K, 3, 3), not {turns.shape}", where=robot.name)
     off = np.abs(turns @ turns.transpose(0, 2, 1) - np.eye(3)).max(axis=(1, 2))
-    good = (off <= 1e-6) & (np.linalg.det(turns) > 0.0)
+    good = (off <= 1e-6) & (np.linalg.det(np.nan_to_num(turns)) > 0.0)
     if not good.all():
         raise RobotError(
             f"orientation {int(np.argmin(good))} is no rotation",

@@ -1,4 +1,4 @@
-"""A method's derivation followed with floats: what the prime field cannot tell, the half turn of an Atan2 and real roots.
+"""A method's derivation followed with floats: what the prime field cannot tell, half turns of Atan2 and real roots.
 
 At a random posture every definition is worked out in the order of the page, every equation is compared, and the values
 of every solution are listed with all their signs: the joint must be one of them.

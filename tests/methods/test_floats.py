@@ -13,8 +13,12 @@ from kinsym.robot import from_inline, load
 from kinsym.robot.model import Robot
 from tests.methods.floats import Posture, follow
 
-PIEPER = "0 0 0 theta1; alpha1 a1 d2 theta2; alpha2 a2 d3 theta3; alpha3 a3 d4 theta4; alpha4 0 0 theta5; alpha5 0 0 theta6"
-OFFSETS = "0 0 d1 theta1; pi/2 a1 0 theta2+pi/2; 0 a2 0 theta3; pi/2 a3 d4 -theta4; -pi/2 0 0 theta5; pi/2 0 d6 theta6-pi/2"
+PIEPER = (
+    "0 0 0 theta1; alpha1 a1 d2 theta2; alpha2 a2 d3 theta3; alpha3 a3 d4 theta4; alpha4 0 0 theta5; alpha5 0 0 theta6"
+)
+OFFSETS = (
+    "0 0 d1 theta1; pi/2 a1 0 theta2+pi/2; 0 a2 0 theta3; pi/2 a3 d4 -theta4; -pi/2 0 0 theta5; pi/2 0 d6 theta6-pi/2"
+)
 SKEW_SLIDE = "0 0 0 theta1; deg(60) a1 l2 theta2; deg(30) a2 d3 0; pi/2 a3 l4 theta4; -pi/2 0 0 theta5; pi/2 0 0 theta6"
 BENT = "0 0 0 theta1; pi/2 0 d2 theta2; 0 a2 0 theta3; -pi/2 a3 d4 theta4; pi/2 0 0 theta5; -pi/2 0 d6 theta6"
 FLAT = "0 0 0 theta1; 0 a1 d2 theta2; deg(40) a2 d3 theta3; pi/2 a3 d4 theta4; -pi/2 0 0 theta5; pi/2 0 0 theta6"
@@ -79,3 +83,19 @@ def test_a_wrong_angle_is_seen(chains: list[Chain]) -> None:
     posture = Posture(chains[-1], 1)
     posture.angles["theta6"] += 0.1
     assert "theta6" in follow(derivation, posture)
+
+
+REVERSED = "0 l1 0 -theta1; 0 l2 0 theta2; 0 l3 0 theta3"
+
+
+@pytest.mark.parametrize("method", ["algebraic", "geometric"])
+@pytest.mark.parametrize("table", [REVERSED, REVERSED.replace("l1", "phi").replace("l3", "x")])
+def test_a_reversed_axis_and_names_that_are_taken(method: str, table: str, chains: list[Chain]) -> None:
+    """Names of the method's own that the table has taken get an underscore: phi_, x_."""
+    derivation = METHODS[method](from_inline(table, convention="paul", name="reversed"))
+    for seed in range(4):
+        posture = Posture(chains[-1], seed)
+        posture.numbers.update(x_E=posture.numbers["p_x"], y_E=posture.numbers["p_y"])
+        angles = [posture.angles[f"theta{i}"] for i in (1, 2, 3)]
+        posture.angles["phi_" if "phi" in table else "phi"] = -angles[0] + angles[1] + angles[2]
+        assert follow(derivation, posture) == []

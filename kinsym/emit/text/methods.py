@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from kinsym.emit.prose.breaking import TEXT, broken
 from kinsym.emit.prose.methods import pieces
 from kinsym.emit.text.page import Page
 from kinsym.methods.document import Equation, Factor, Matrix, MethodDerivation, Product, Sentence, Side
 
 _INDENT = 8
+_CONTINUED = 4
+"""How far the further lines of a long left side are moved in."""
 
 
 def method_text(derivation: MethodDerivation, *, width: int = 96, ascii: bool = False) -> str:
@@ -35,9 +38,18 @@ def equation_text(equation: Equation, page: Page) -> str:
 
 
 def _plain(equation: Equation, page: Page) -> str:
-    return page.equation(
-        _side(equation.left, page), _side(equation.right, page), indent=_INDENT, relation=equation.sign
-    )
+    left, right = _side(equation.left, page), _side(equation.right, page)
+    rest = f" {equation.sign} {right}"
+    if len(left) <= page.width // 2 or _INDENT + len(left) + len(rest) <= page.width:
+        return page.equation(left, right, indent=_INDENT, relation=equation.sign)
+    lines = broken(left, page.width - _INDENT - _CONTINUED, syntax=TEXT)
+    shown = [
+        f"{' ' * (_INDENT + (_CONTINUED + 2 * line.depth if k else 0))}{line.text}" for k, line in enumerate(lines)
+    ]
+    if len(shown[-1]) + len(rest) <= page.width:
+        shown[-1] += rest
+        return "\n".join(shown)
+    return "\n".join([*shown, page.equation("", right, indent=_INDENT, relation=equation.sign)])
 
 
 def _side(side: Side, page: Page) -> str:
