@@ -14,7 +14,8 @@ HEAD = """\
 
 H. D. Taghirad, *Robotics: Mechanics & Control*, chapter 3, *Kinematic Analysis*: {entries} equations, tables and
 sentences over {systems} systems. `kinsym lecture` holds each of them against what kinsym derives. {true} are true as
-printed, {errata} are mistakes whose mended form is true, {open} are open.
+printed, {errata} are mistakes whose mended form is true, {open} are open. {restored} lines that cannot be read in the
+scan, or that the lecture leaves to its reader, are given as they must have been.
 
 A verdict is found, not looked up. An equation is evaluated at random postures modulo a prime of 61 bits, where every
 name stands for what kinsym prints for it; a solution of an inverse kinematics must satisfy the equations it solves and
@@ -37,6 +38,7 @@ def markdown(verdicts: Sequence[Verdict]) -> str:
         true=_count(verdicts, Truth.TRUE),
         errata=_count(verdicts, Truth.ERRATUM),
         open=_count(verdicts, Truth.FALSE),
+        restored=sum(bool(v.entry.restored) for v in verdicts),
         counted=len(counted),
         alike=sum(v.likeness is Likeness.SAME for v in counted),
     )

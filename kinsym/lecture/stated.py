@@ -19,10 +19,14 @@ from kinsym.lecture.shape import NameOf, NoShape, Shape, number, shape_of_tree
 from kinsym.lecture.system import System, system
 from kinsym.methods import METHODS
 from kinsym.methods.document import INVERSE, TRANSPOSE, Factor, Matrix, Product, Side
+from kinsym.methods.half_angle import general
 from kinsym.robot import bind
 
 Form: TypeAlias = tuple[Any, ...]
 """``("scalar", shape)``, ``("matrix", rows)`` or ``("product", factors)``."""
+
+GENERAL = "half_angle_of_any_equation"
+"""The reduction of a cos(theta) + b sin(theta) = c with letters for its coefficients, which needs no arm."""
 
 _LINK = re.compile(r"[TA]_([0-9])_([0-9])")
 _MARKS = {"inv": INVERSE, "transpose": TRANSPOSE}
@@ -47,7 +51,7 @@ def stated(arm: System, methods: tuple[str, ...]) -> frozenset[Any]:
     found: set[Any] = set()
     names = chain_names(arm.chain)
     for method in methods:
-        derivation = METHODS[method](arm.robot)
+        derivation = general() if method == GENERAL else METHODS[method](arm.robot)
         for item in derivation.equations:
             if item.sign != "=":
                 continue

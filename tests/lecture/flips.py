@@ -75,7 +75,7 @@ def _matters(chapter: Chapter, number: int, before: str, after: str) -> bool:
     entry = chapter.entries[number]
     case = Case(chapter, entry, entry.mended or entry.printed)
     pairs = list(zip(re.split(r" !?= ", before), re.split(r" !?= ", after), strict=True))
-    if before.startswith("(") or not case.robots and not case.chapter.free:
+    if before.startswith("(") or (not case.robots and not case.chapter.free):
         return True
     if case.option("rows_of"):
         return False  # its sides are read row by row, and one of them is zero

@@ -1,4 +1,4 @@
-"""What kinsym derives for the lecture's systems: products as arms of their own, elementary transforms, random screws."""
+"""What kinsym derives for the lecture's systems: products of rows, elementary transforms, random screws."""
 
 from __future__ import annotations
 
