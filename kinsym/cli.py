@@ -28,6 +28,7 @@ METHODS = (
     "half_angle",
     "pieper",
     "zyz",
+    "decoupled",
 )
 TARGETS = ("numpy", "c", "latex")
 INTERRUPTED = 130

@@ -147,4 +147,6 @@ class Lecture:
                 return None
 
     def _is_matrix(self, text: str) -> bool:
-        return text.endswith("_vec") or re.fullmatch(r"[TAR]_\w+_\w+|[AR][1-9]|[uvwqp]0|P_\w+", text) is not None
+        return (
+            text.endswith("_vec") or re.fullmatch(r"[TAR]_\w+_\w+|[AR][1-9]|[uvwqp]0|P_\w+|p_in[0-9]", text) is not None
+        )

@@ -64,6 +64,30 @@ def test_nine_in_ten_are_printed_alike(found: list[Verdict]) -> None:
     assert [v.entry.id for v in found if v.likeness is Likeness.OTHER and not v.entry.instead] == []
 
 
+@pytest.mark.parametrize(
+    ("file", "name", "written"),
+    [
+        ("12_stanford_paul.toml", "fk.r13", "c1*c2*c4*s5 + c1*s2*c5 - s1*s4*s5"),
+        ("11_scorbot_5r.toml", "fk.q_x", "a1*c1 + c1*(a2*c2 + a3*c23 - d5*s234)"),
+        ("02_planar_rr.toml", "fk.x", "l1*c1 + l2*(c1*c2 - s1*s2)"),
+        ("19_planar_rrr_ik.toml", "kappa", "(p_x**2 + p_y**2)/(2*a1*a2) - (a1**2 + a2**2)/(2*a1*a2)"),
+    ],
+)
+def test_another_form_is_seen(file: str, name: str, written: str) -> None:
+    """The same value multiplied out, or written with other angles, is true and not in the printed form."""
+    raw = content(file)
+    number = next(n for n, entry in enumerate(raw["equation"]) if entry["id"] == name)
+    key = (
+        "left" if "right" in raw["equation"][number] and raw["equation"][number]["right"] in ("x_e", "y_e") else "right"
+    )
+    plain = chapter_of(file, raw)
+    assert verdict(plain, plain.entries[number]).likeness is Likeness.SAME
+    raw["equation"][number][key] = written
+    other = chapter_of(file, raw)
+    seen = verdict(other, other.entries[number])
+    assert (seen.truth, seen.likeness) == (Truth.TRUE, Likeness.OTHER)
+
+
 @pytest.mark.parametrize("file", FILES)
 def test_slips_of_sign_are_seen(file: str) -> None:
     """Two slips in each entry, picked at random with a fixed seed: none of them leaves the entry accounted for."""
