@@ -1,7 +1,8 @@
 """Position and orientation apart: the lecture's way for the Fanuc S-900w (slides 59 to 65).
 
-The last three axes meet in P, which joints 4 to 6 leave alone. From ``A_0_1^-1 P = A_1_3 P`` theta1 follows, from squares
-theta3 by u = tan(theta/2), and theta2 by Cramer's rule; then ``A_3_6 = A_0_3^-1 A_0_6`` has theta5, theta4, theta6.
+The last three axes meet in P, which joints 4 to 6 leave alone. From ``A_0_1^-1 P = A_1_3 P`` theta1 follows, from
+squares theta3 by u = tan(theta/2), and theta2 by Cramer's rule; then ``A_3_6 = A_0_3^-1 A_0_6`` has theta5, theta4 and
+theta6.
 """
 
 from __future__ import annotations
@@ -135,8 +136,8 @@ class _Decoupled:
         angle = self.angle(0)
         row = self.left[2] - self.right[2]
         parts = self.ring.collect(row, (angle.cosine, angle.sine))
-        zero = self.ring.zero
-        a, b, rest = parts.get((1, 0), zero), parts.get((0, 1), zero), parts.get((0, 0), zero)
+        zero: Poly = self.ring.zero
+        a, b, rest = (parts[key] if key in parts else zero for key in ((1, 0), (0, 1), (0, 0)))  # noqa: SIM401
         if not a and not b:
             raise _refusal(self.chain.robot, "axis 1 is parallel to axis 2")
         self.draft.say(f"The row {{loop.z}} holds `{angle.name}` alone:")
