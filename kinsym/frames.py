@@ -20,6 +20,7 @@ from kinsym.kinematics.convert import convert
 from kinsym.kinematics.forward import forward_kinematics
 from kinsym.live import LiveArm, live
 from kinsym.robot.model import Convention, Matrix, Robot
+from kinsym.robot.rigid import check_rotation
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -81,8 +82,12 @@ def with_frames(robot: Robot, *, station: Matrix | None = None, tool: Matrix | N
     """The same arm seen from a station, with a tool at its end: its forward kinematics is T_S_T, in symbols.
 
     ``station`` T_B_S and ``tool`` T_W_T are 4x4 cells of SymPy, as a robot file's [base] and [tool] are. The inverse
-    kinematics of the new robot brings the tool to a goal that is given from the station.
+    kinematics of the new robot brings the tool to a goal that is given from the station. Raises :class:`RobotError`
+    for what is no rigid transform and for a name that is a joint variable.
     """
+    for what, given in (("station", station), ("tool", tool)):
+        if given is not None:
+            _check_cells(given, what, robot)
     if robot.convention is Convention.SCREW:
         robot = convert(robot, Convention.PAUL)
     base = robot.base
@@ -111,6 +116,19 @@ def tool_in_station_symbolic(
     columns = forward_kinematics(chain).columns
     rows = tuple(tuple(nested(chain.ring, column[i]) for column in columns) for i in range(3))
     return (*rows, (ZERO, ZERO, ZERO, ONE))
+
+
+def _check_cells(matrix: Matrix, what: str, robot: Robot) -> None:
+    if len(matrix) != 4 or any(len(line) != 4 for line in matrix) or tuple(matrix[3]) != (0, 0, 0, 1):
+        raise RobotError(
+            f"the {what} is no 4x4 transform", where=robot.name, remedy="Give four rows, the last of them 0 0 0 1."
+        )
+    u, v, w = ((matrix[0][k], matrix[1][k], matrix[2][k]) for k in range(3))
+    check_rotation((u, v, w), what=f"the rotation of the {what}", where=robot.name)
+    names = sorted({str(symbol) for line in matrix for cell in line for symbol in cell.free_symbols})
+    taken = [name for name in names if name in robot.variables]
+    if taken:
+        raise RobotError(f"{taken[0]} is a joint variable", where=f"{robot.name}, {what}", remedy="Take another name.")
 
 
 def _fixed(matrix: ArrayLike | None, what: str) -> Floats:

@@ -82,6 +82,7 @@ def live(robot: Robot, values: Mapping[str, float] | None = None) -> LiveArm:
 
 def _check(robot: Robot, given: Mapping[str, float], inputs: list[str]) -> None:
     import math
+    from numbers import Real
 
     unknown = [name for name in given if name not in robot.parameters and name not in inputs]
     if unknown:
@@ -97,9 +98,9 @@ def _check(robot: Robot, given: Mapping[str, float], inputs: list[str]) -> None:
             where=robot.name,
             remedy="Write numbers under [parameters] of the robot file, or give them with the call.",
         )
-    bad = [name for name, value in given.items() if not math.isfinite(value)]
-    if bad:
-        raise RobotError(f"{bad[0]} = {given[bad[0]]} is no number", where=robot.name, remedy="Give a finite number.")
+    for name, value in given.items():
+        if not isinstance(value, Real) or not math.isfinite(value):
+            raise RobotError(f"{name} = {value!r} is no number", where=robot.name, remedy="Give a finite number.")
 
 
 def _list(robot: Robot, inputs: list[str]) -> str:

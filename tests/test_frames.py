@@ -85,6 +85,24 @@ def test_in_symbols() -> None:
     assert text[2] == ["-s12", "-c12", "0", "-l1*s1 - l2*s12"]
 
 
+UNIT = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+
+
+@pytest.mark.parametrize(
+    ("row", "column", "cell", "message"),
+    [
+        (0, 0, 2, "the rotation of the station"),
+        (3, 3, 2, "no 4x4 transform"),
+        (0, 3, sympy.Symbol("theta2", real=True), "theta2 is a joint variable"),
+    ],
+)
+def test_cells_that_are_no_station(row: int, column: int, cell: object, message: str) -> None:
+    rows = [list(line) for line in UNIT]
+    rows[row][column] = cell
+    with pytest.raises(RobotError, match=message):
+        with_frames(load("planar_rr"), station=cells(rows))
+
+
 @pytest.mark.parametrize("name", ["planar_rr", "puma560", "stanford_screw", "nao_left_leg"])
 def test_symbols_and_numbers_agree(name: str) -> None:
     """The robot with its frames, run as code, against the loop in numbers; one has a base and a tool already."""

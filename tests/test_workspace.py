@@ -162,6 +162,7 @@ def test_a_locked_input_is_a_value() -> None:
         ({"l1": 0.4}, "the parameter l2 has no value"),
         ({"l1": 0.4, "l2": 0.3, "l3": 1.0}, "no parameter l3"),
         ({"l1": 0.4, "l2": float("nan")}, "l2 = nan is no number"),
+        ({"l1": 0.4, "l2": "0.3"}, "l2 = '0.3' is no number"),
     ],
 )
 def test_numbers_that_lack_or_are_none(values: dict[str, float], message: str) -> None:

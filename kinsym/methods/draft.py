@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 from kinsym.algebra.field import PRIME
 from kinsym.algebra.nested import nested
 from kinsym.algebra.ring import POSE_ENTRIES, Poly, Vector
-from kinsym.algebra.tree import ZERO, Sym, Tree
+from kinsym.algebra.tree import Sym, Tree
 from kinsym.kinematics.chain import Chain
 from kinsym.kinematics.forward import pose_columns
 from kinsym.methods.document import Equation, Matrix, MethodDerivation, Passage, Product, Sentence, Side, Solution
@@ -158,10 +158,6 @@ class Draft:
         self._solutions.append(
             Solution(unknown=unknown, equations=tuple(equations), branches=branches, conditions=tuple(conditions))
         )
-
-    def vanishes(self, tree: Tree) -> bool:
-        """Whether a formula is zero for this robot, whatever its joints."""
-        return tree == ZERO or all(witness.values(tree) == {0} for witness in self.witnesses)
 
     def _equation(self, name: str, left: Side, right: Side, sign: str) -> Equation:
         if name in self._names:

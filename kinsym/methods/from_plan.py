@@ -7,7 +7,9 @@ formulas are evaluated once more, from the chain's forward kinematics on.
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 
+from kinsym.algebra.field import PRIME, inverse
 from kinsym.algebra.tree import Call, Definition, Quot, Sym, Tree, symbols
 from kinsym.inverse.plan import Plan, Step, Window
 from kinsym.inverse.rules import TITLES
@@ -16,12 +18,17 @@ from kinsym.methods.draft import Draft
 from kinsym.methods.proof import Witness
 from kinsym.methods.steps import TWO
 
+_SIZE = 3
+"""What stands for a length that may be any."""
+
 
 def state_plan(draft: Draft, plan: Plan) -> None:
     """State a plan item by item."""
+    give_tangents(draft, plan)
     for item in plan.items:
         if isinstance(item, Window):
-            draft.say(f"T_{item.left}_{item.right} is what is left for joints {item.left + 1} to {item.right} to make:")
+            joints = f"joints {item.left + 1} to {item.right}" if item.right > item.left + 1 else f"joint {item.right}"
+            draft.say(f"`T_{item.left}_{item.right}` is what is left for {joints} to make:")
             for definition in item.definitions:
                 _define(draft, definition)
         elif isinstance(item, Definition):
@@ -87,6 +94,25 @@ def _fits(lines: list[tuple[str, Tree]]) -> Callable[[Witness], bool]:
         )
 
     return fits
+
+
+def give_tangents(draft: Draft, plan: Plan) -> None:
+    """Values for angles phi that no joint has, by which a plan finds a length: d = size tan(phi/2), size any length."""
+    pairs = [
+        (first, second)
+        for first, second in pairwise(plan.steps)
+        if first.unknown not in draft.witnesses[0].angles and "size" in symbols(second.solution[0][1])
+    ]
+    if pairs:
+        draft.say("`size` is a length of the arm's order, in the code the sum of its constant lengths.")
+    for first, second in pairs:
+        for witness in draft.witnesses:
+            witness.numbers["size"] = _SIZE
+            slope = witness.numbers[second.unknown] * inverse(_SIZE) % PRIME
+            scale = inverse(1 + slope * slope)
+            point = (1 - slope * slope) * scale % PRIME, 2 * slope * scale % PRIME
+            witness.angles[first.unknown] = point
+            witness.numbers.update(zip(first.outputs, point, strict=False))
 
 
 def _give_tangent(draft: Draft, step: Step, value: Tree) -> None:

@@ -36,11 +36,15 @@ _NONE = Integer(0)
 
 @dataclass(frozen=True)
 class Shoulder:
-    """What the equations for r and z are made of, in the ring of words: k1 to k4, a1 and s alpha1."""
+    """What the equations for r and z are made of, in the ring of words: k1 to k4 by name, a1 and s alpha1.
+
+    ``values`` are k1 to k4 in the chain's ring, polynomials in theta3 or d3 alone.
+    """
 
     k: tuple[Poly, Poly, Poly, Poly]
     a1: Poly
     sine: Poly
+    values: tuple[Poly, ...]
 
 
 def pieper(robot: Robot) -> MethodDerivation:
@@ -64,58 +68,59 @@ def pieper(robot: Robot) -> MethodDerivation:
 
 def _state_r_and_z(draft: Draft, point: WristPoint) -> Shoulder:
     """r and z of P, in which theta1 does not occur, and their parts k1 to k4."""
-    chain, words, names = draft.chain, point.words, point.names
-    ring, rows = draft.ring, chain.robot.joints
-    px, py, pz = point.position
+    words, names = point.words, point.names
     draft.say("The square `r` of the length of P, and its height `z`, do not depend on joint 1:")
-    r = draft.define(names["r"], add(*(Pow(part, 2) for part in (px, py, pz))), name="r.P")
-    z = draft.define(names["z"], pz, name="z.P")
-    g1, g2, g3 = (Sym(names[f"g{i}"]) for i in (1, 2, 3))
-    draft.state("r.g", r, add(*(Pow(part, 2) for part in (g1, g2, g3))))
-    draft.state("z.g", z, g3)
-    a1 = words.lift(chain.constants.length(ring, rows[1].a or _NONE))
-    sine = words.lift(chain.constants.angle(ring, rows[1].alpha or _NONE)[1])
-    c2, s2 = map(words.lift, turned(chain, rows[1]))
-    f1, f2 = (words[names[name]] if f else words.zero for name, f in zip(("f1", "f2"), point.f, strict=False))
-    both = words.mul(f1, c2) - words.mul(f2, s2)
-    k3 = words.reduce(words.dot(point.g, point.g) - 2 * a1 * both)
-    k4 = words.reduce(point.g[2] - words.mul(sine, words.mul(f1, s2) + words.mul(f2, c2)))
-    parts = (f1, -f2, k3, k4)
-    two_a1 = nested(words, 2 * a1)
-    inner = nested(words, both)
-    draft.state("r.f", r, add(nested(words, k3), mul(two_a1, inner)))
-    draft.say(f"With the parts that hold `{rows[2].variable}` alone under names of their own:")
+    r = draft.define(names["r"], add(*(Pow(part, 2) for part in point.position)), name="r.P")
+    z = draft.define(names["z"], point.position[2], name="z.P")
+    g = [Sym(names[f"g{i}"]) for i in (1, 2, 3)]
+    draft.state("r.g", r, add(*(Pow(part, 2) for part in g)))
+    draft.state("z.g", z, g[2])
+    a1, sine, turn = _second_row(draft, point)
+    parts, both = _parts(point, a1, sine, turn)
+    factor = nested(words, 2 * a1)
+    draft.state("r.f", r, add(nested(words, parts[2]), mul(factor, nested(words, both))))
+    draft.say(f"With the parts that hold `{draft.chain.robot.joints[2].variable}` alone under names of their own:")
     for i, part in enumerate(parts, start=1):
         draft.define(names[f"k{i}"], nested(words, part))
     k = tuple(words[names[f"k{i}"]] if part else words.zero for i, part in enumerate(parts, start=1))
-    k1, k2, k3_name, k4_name = (nested(words, part) for part in k)
-    c, s = nested(words, c2), nested(words, s2)
+    k1, k2, k3, k4 = (nested(words, part) for part in k)
+    c, s = (nested(words, part) for part in turn)
     draft.say("The lecture's two equations are then")
-    draft.state("r", r, add(mul(add(mul(k1, c), mul(k2, s)), two_a1), k3_name))
-    draft.state("z", z, add(mul(sub(mul(k1, s), mul(k2, c)), nested(words, sine)), k4_name))
+    draft.state("r", r, add(mul(add(mul(k1, c), mul(k2, s)), factor), k3))
+    draft.state("z", z, add(mul(sub(mul(k1, s), mul(k2, c)), nested(words, sine)), k4))
+    meaning = {names[f"f{i}"]: entry for i, entry in enumerate(point.f, start=1)}
+    return Shoulder(k, a1, sine, tuple(words.expand(part, meaning) for part in parts))
+
+
+def _second_row(draft: Draft, point: WristPoint) -> tuple[Poly, Poly, tuple[Poly, Poly]]:
+    """a1, sin(alpha1), and cosine and sine of the second row's angle, in the ring of words."""
+    chain, row = draft.chain, draft.chain.robot.joints[1]
+    a1 = point.words.lift(chain.constants.length(chain.ring, row.a or _NONE))
+    sine = point.words.lift(chain.constants.angle(chain.ring, row.alpha or _NONE)[1])
     if not a1 and not sine:
         raise DoesNotApply(
             f"{TITLE} does not apply to {chain.robot.name}: axes 1 and 2 are one line (a1 = 0 and sin(alpha1) = 0)."
         )
-    return Shoulder(k, a1, sine)
+    c, s = map(point.words.lift, turned(chain, row))
+    return a1, sine, (c, s)
 
 
-def _meanings(draft: Draft, point: WristPoint) -> list[Poly]:
-    """k1 to k4 in the chain's ring: polynomials in theta3 or d3 alone."""
-    ring = draft.ring
-    f1, f2, f3 = point.f
-    chain, rows = draft.chain, draft.chain.robot.joints
-    a1 = chain.constants.length(ring, rows[1].a or _NONE)
-    d2 = chain.constants.length(ring, rows[1].d or _NONE) if rows[1].kind == "R" else ring.zero
-    cosine, _ = chain.constants.angle(ring, rows[1].alpha or _NONE)
-    square_sum = ring.dot(point.f, point.f) + a1 * a1 + d2 * d2 + 2 * ring.mul(d2, f3)
-    return [f1, -f2, ring.reduce(square_sum), ring.mul(cosine, f3 + d2)]
+def _parts(
+    point: WristPoint, a1: Poly, sine: Poly, turn: tuple[Poly, Poly]
+) -> tuple[tuple[Poly, Poly, Poly, Poly], Poly]:
+    """k1 to k4 over f, what r and z leave when their terms in theta2 are taken away; and f1 c2 - f2 s2."""
+    words, (c2, s2) = point.words, turn
+    f1, f2 = (words[point.names[name]] if f else words.zero for name, f in zip(("f1", "f2"), point.f, strict=False))
+    both = words.mul(f1, c2) - words.mul(f2, s2)
+    k3 = words.reduce(words.dot(point.g, point.g) - 2 * a1 * both)
+    k4 = words.reduce(point.g[2] - words.mul(sine, words.mul(f1, s2) + words.mul(f2, c2)))
+    return (f1, -f2, k3, k4), both
 
 
 def _find_third(draft: Draft, point: WristPoint, shoulder: Shoulder) -> None:
     """theta3, or d3, by the case of the lecture that the table is."""
     joint = draft.chain.robot.joints[2]
-    k = _meanings(draft, point)
+    k = shoulder.values
     unknown = joint.variable or ""
     r, z = Sym(point.names["r"]), Sym(point.names["z"])
     k3, k4 = (nested(point.words, part) for part in shoulder.k[2:])
@@ -130,7 +135,7 @@ def _find_third(draft: Draft, point: WristPoint, shoulder: Shoulder) -> None:
         draft.state("case2", z, k4)
         _one_unknown(draft, unknown, z, k[3], "z")
     else:
-        _general_case(draft, point, shoulder, k)
+        _general_case(draft, point, shoulder)
 
 
 def _one_unknown(draft: Draft, unknown: str, known: Tree, part: Poly, letter: str) -> None:
@@ -173,7 +178,7 @@ def _no_third(draft: Draft, unknown: str, letter: str) -> DoesNotApply:
     )
 
 
-def _general_case(draft: Draft, point: WristPoint, shoulder: Shoulder, k: list[Poly]) -> None:
+def _general_case(draft: Draft, point: WristPoint, shoulder: Shoulder) -> None:
     """Squares of both equations added: theta2 goes out."""
     words = point.words
     names = [nested(words, part) for part in shoulder.k]
@@ -188,7 +193,9 @@ def _general_case(draft: Draft, point: WristPoint, shoulder: Shoulder, k: list[P
         add(square(names[0]), square(names[1])),
     )
     symbols = tuple(point.names[f"k{i}"] for i in (1, 2, 3, 4))
-    solve_quartic(draft, draft.chain.robot.joints[2].variable or "", Quadratic(symbols, k, *_constants(draft), r, z))
+    solve_quartic(
+        draft, draft.chain.robot.joints[2].variable or "", Quadratic(symbols, shoulder.values, *_constants(draft), r, z)
+    )
 
 
 def _constants(draft: Draft) -> tuple[Poly, Poly]:

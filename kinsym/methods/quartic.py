@@ -17,7 +17,7 @@ from kinsym.algebra.ring import Poly
 from kinsym.algebra.tree import ONE, ZERO, Call, Pow, Sym, Tree, add, mul, sub
 from kinsym.errors import DoesNotApply
 from kinsym.methods.draft import Draft
-from kinsym.methods.steps import TWO, tangent
+from kinsym.methods.steps import TWO, AngleOf, tangent
 from kinsym.methods.words import Words, short
 from kinsym.methods.wrist_point import angle_of
 
@@ -27,7 +27,7 @@ class Quadratic:
     """k1 to k4 by name and in the chain's ring, a1 and s alpha1 in that ring, r and z by name."""
 
     symbols: tuple[str, ...]
-    k: list[Poly]
+    k: tuple[Poly, ...]
     a1: Poly
     sine: Poly
     r: Sym
@@ -74,9 +74,15 @@ def solve_quartic(draft: Draft, unknown: str, given: Quadratic) -> None:
     if all(not any(key) for key in parts):
         raise DoesNotApply(f"{unknown} does not occur in the eliminant of {draft.chain.robot.name}.")
     if sliding:
-        _in_length(draft, unknown, {key: nested(words, part, written) for key, part in parts.items()})
+        draft.say(f"{{case3}} is, multiplied by its denominators, a polynomial of degree four in `{unknown}`:")
+        state_in_length(draft, unknown, {key: nested(words, part, written) for key, part in parts.items()})
     else:
-        _in_angle(draft, unknown, {key: nested(words, part, written) for key, part in parts.items()})
+        draft.say("{case3} is, multiplied by its denominators,")
+        state_in_angle(
+            draft,
+            angle_of(draft.chain, unknown),
+            {key: nested(words, part, written) for key, part in parts.items()},
+        )
 
 
 def _powers(names: tuple[str, ...], key: tuple[int, ...]) -> list[Tree]:
@@ -98,11 +104,11 @@ def _line(
     return words.reduce(total)
 
 
-def _in_angle(draft: Draft, unknown: str, parts: dict[tuple[int, ...], Tree]) -> None:
-    angle = angle_of(draft.chain, unknown)
+def state_in_angle(draft: Draft, angle: AngleOf, parts: dict[tuple[int, ...], Tree]) -> None:
+    """A quadratic equation in the cosine and sine of an angle, by its coefficients, and the polynomial in u."""
+    unknown = angle.name
     keys = ((2, 0), (1, 1), (1, 0), (0, 1), (0, 0))
     kappa: list[Tree] = []
-    draft.say("{case3} is, multiplied by its denominators,")
     for index, key in enumerate(keys, start=1):
         part = parts.get(key)
         kappa.append(draft.define(draft.fresh(f"kappa{index}"), part) if part else ZERO)
@@ -123,8 +129,8 @@ def _in_angle(draft: Draft, unknown: str, parts: dict[tuple[int, ...], Tree]) ->
     draft.solve(unknown, mul(TWO, Call("atan", (u,))), branches=4)
 
 
-def _in_length(draft: Draft, unknown: str, parts: dict[tuple[int, ...], Tree]) -> None:
-    draft.say(f"{{case3}} is, multiplied by its denominators, a polynomial of degree four in `{unknown}`:")
+def state_in_length(draft: Draft, unknown: str, parts: dict[tuple[int, ...], Tree]) -> None:
+    """A polynomial in a prismatic variable, by its coefficients."""
     terms = []
     for (power,), part in sorted(parts.items(), reverse=True):
         value = draft.define(draft.fresh(f"kappa{power}"), part)

@@ -23,6 +23,7 @@ from kinsym.robot.model import Robot
 
 NAME, TITLE = "screws_inverse", "Successive screws, inverse"
 ROWS = "xyz"
+_COUNTS = {2: "two", 3: "three"}
 
 
 def screws_inverse(robot: Robot) -> MethodDerivation:
@@ -73,7 +74,7 @@ class ScrewWork:
             self.solver.print_family("p.0")
         squared = self.ring.dot(*[self._column("p")] * 2)
         moved = self.ring.reduce(sum((part * part for part in self._image("p", 0, self.moving)), self.ring.zero))
-        self.solver.solve([*points[:3], Statement("square", squared, moved), *points[3:]])
+        self.solver.solve([*points[:3], Statement("p.squared", "square", squared, moved), *points[3:]])
 
     def solve_orientation(self) -> None:
         """The column along the last axis, then the others."""
@@ -134,8 +135,9 @@ class ScrewWork:
             self.named[column, start] = names
             for name, entry in zip(names, left, strict=True):
                 self.draft.give(name.name, entry)
-            return [Statement(family, x, y, name) for x, y, name in zip(left, right, names, strict=True)]
-        return [Statement(family, x, y) for x, y in zip(left, right, strict=True)]
+            rows = zip(ROWS, left, right, names, strict=True)
+            return [Statement(f"{family}.{row}", family, x, y, name) for row, x, y, name in rows]
+        return [Statement(f"{family}.{row}", family, x, y) for row, x, y in zip(ROWS, left, right, strict=True)]
 
     def begin(self) -> None:
         """The wrist point from the pose of the end effector, and as the displacements move it."""
@@ -156,7 +158,7 @@ class ScrewWork:
         last = [f"`{joint.variable}`" for joint in self.arm.chain.joints[self.moving :]]
         if last:
             few = "does" if len(last) == 1 else "do"
-            where = "lies on the last axis" if len(last) == 1 else f"is where the last {len(last)} axes meet"
+            where = "lies on the last axis" if len(last) == 1 else f"is where the last {_COUNTS[len(last)]} axes meet"
             listed = ", ".join(last)
             draft.say(f"The point p {where}, so that {listed} {few} not move it. With q the end effector,")
         else:

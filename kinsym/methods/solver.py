@@ -13,12 +13,13 @@ from functools import partial
 from itertools import combinations
 
 from kinsym.algebra.nested import nested
-from kinsym.algebra.ring import Kind, Poly, Ring
+from kinsym.algebra.ring import Kind, Poly
 from kinsym.algebra.tree import ZERO, Call, PlusMinus, Sym, Tree, add, opposite, sub
 from kinsym.inverse.knowledge import Edge, Knowledge
 from kinsym.kinematics.angles import Angle
 from kinsym.methods.circle import cosine_and_sine, solve_by
 from kinsym.methods.draft import Draft
+from kinsym.methods.find_links import as_links, coefficient
 from kinsym.methods.steps import AngleOf, Row, one_row, quotient
 from kinsym.methods.two_links import TwoLinks, solve_two_links
 
@@ -28,8 +29,9 @@ DIRECT, LENGTH, CRAMER, HOMOGENEOUS, ROOT, ONE_ROW, TWO_LINKS = range(7)
 
 @dataclass(frozen=True)
 class Statement:
-    """``lhs = rhs``; ``shown`` is how the left side is written, ``family`` what has to be printed before it is used."""
+    """``lhs = rhs``, printed as the equation ``name`` together with its ``family``; ``shown`` is how lhs is written."""
 
+    name: str
     family: str
     lhs: Poly
     rhs: Poly
@@ -91,10 +93,14 @@ class Solver:
         self._printed.add(family)
         self.introduce(family)
 
-    def _use(self, *statements: Statement) -> None:
+    def _use(self, *statements: Statement, gives: str) -> None:
+        """Print the families of equations, and say what is found from which of them."""
         for statement in statements:
             if statement.family not in self._printed:
                 self.print_family(statement.family)
+        listed = [f"{{{name}}}" for name in dict.fromkeys(statement.name for statement in statements)]
+        sources = " and ".join(filter(None, (", ".join(listed[:-1]), listed[-1])))
+        self.draft.say(f"{gives} {sources}:")
 
     def _reduced(self, poly: Poly) -> Poly:
         """A polynomial with every unknown angle of a group by the one that stands for it."""
@@ -124,7 +130,7 @@ class Solver:
     def _row(self, statement: Statement, lhs: Poly, rhs: Poly, angle: Angle) -> Row | None:
         """The equation as ``a c + b s = e``, the known side as it is printed."""
         ring, names = self.draft.ring, (angle.cosine, angle.sine)
-        at = _coefficient(ring)
+        at = coefficient(ring)
         left, right = ring.collect(lhs, names), ring.collect(rhs, names)
         if not set(left) | set(right) <= {(1, 0), (0, 1), (0, 0)}:
             return None
@@ -150,7 +156,7 @@ class Solver:
 
         def finish(statements: Iterable[Statement], solve: Callable[[], None]) -> Callable[[], None]:
             def step() -> None:
-                self._use(*statements)
+                self._use(*statements, gives=f"`{named.name}` from")
                 solve()
                 self.known = self.known.with_angle(_edge(angle))
 
@@ -174,7 +180,7 @@ class Solver:
         self, statement: Statement, lhs: Poly, rhs: Poly, variable: str
     ) -> tuple[int, Callable[[], None]] | None:
         ring, draft = self.draft.ring, self.draft
-        at = _coefficient(ring)
+        at = coefficient(ring)
         parts = ring.collect(rhs - lhs, (variable,))
         if not set(parts) <= {(0,), (1,), (2,)}:
             return None
@@ -185,12 +191,12 @@ class Solver:
         known = sub(shown, draft.tree(rest + lhs)) if pure else draft.tree(-rest)
 
         def linear() -> None:
-            self._use(statement)
+            self._use(statement, gives=f"`{variable}` from")
             draft.solve(variable, quotient(known, draft.tree(first)), branches=1)
             self.known = self.known.with_length(variable)
 
         def root() -> None:
-            self._use(statement)
+            self._use(statement, gives=f"`{variable}` from")
             half = ring.mul(first, ring.number(Fraction(1, 2)))
             inner = add(draft.tree(ring.mul(half, half)), known) if half else known
             real = draft.require(f"{variable}.real", inner, ">=", ZERO)
@@ -206,60 +212,20 @@ class Solver:
         """Pairs of equations that are two links, those of one family and one sense of rotation first."""
         for (first, *sides), (second, *others) in combinations(pairs, 2):
             for flip in (1, -1):
-                found = self._as_links(sides, [flip * side for side in others])
+                turned = [flip * side for side in others]
+                found = as_links(self.draft.chain, self._unknowns(*sides, *turned)[0], sides, turned)
                 if found is not None:
                     links, rests = found
                     cost = 2 * self._new(first, second) + (first.family != second.family) * 4 + (flip < 0)
                     yield cost, partial(self._solve_links, (first, second), rests, links, flip)
                     break
 
-    def _as_links(self, sides: list[Poly], others: list[Poly]) -> tuple[TwoLinks, tuple[Poly, Poly]] | None:
-        """Two equations as two links in a plane, and what is known of either; the angles must share a node."""
-        chain, ring = self.draft.chain, self.draft.ring
-        angles, _ = self._unknowns(*sides, *others)
-        if len(angles) != 2 or not {angles[0].low, angles[0].high} & {angles[1].low, angles[1].high}:
-            return None
-        x, y = angles
-        node = next(iter({x.low, x.high} & {y.low, y.high}))
-        ends = [x.low + x.high - node, y.low + y.high - node]
-        names = (x.cosine, x.sine, y.cosine, y.sine)
-        at = _coefficient(ring)
-        vectors: list[tuple[Poly, Poly]] = []
-        first = ring.collect(sides[1] - sides[0], names)
-        second = ring.collect(others[1] - others[0], names)
-        units = [tuple(int(i == k) for i in range(4)) for k in range(4)]
-        if not {*first, *second} <= {*units, (0, 0, 0, 0)}:
-            return None
-        for k, angle, end in ((0, x, ends[0]), (2, y, ends[1])):
-            sign = 1 if chain.turn(angle.group, node, end)[1] == ring[angle.sine] else -1
-            along: Poly = at(first, units[k])
-            across: Poly = -sign * at(first, units[k + 1])
-            again: tuple[Poly, Poly] = at(second, units[k + 1]), at(second, units[k])
-            if again[0] * sign != along or again[1] != across:
-                return None
-            if not ring.is_constant(along) or not ring.is_constant(across):
-                return None
-            vectors.append((along, across))
-        rests: list[Poly] = [ring.zero - at(part, (0, 0, 0, 0)) for part in (first, second)]
-        low, high = sorted(ends)
-        between = chain.angles[x.group, low, high]
-        flip = 1 if chain.turn(x.group, node, ends[0])[1] == ring[x.sine] else -1
-        links = TwoLinks(
-            vectors[0],
-            vectors[1],
-            AngleOf(between.name, between.cosine, between.sine),
-            chain.turn(x.group, *ends),
-            AngleOf(x.name, x.cosine, x.sine),
-            flip,
-        )
-        return links, (rests[0], rests[1])
-
     def _solve_links(
         self, statements: tuple[Statement, Statement], rests: tuple[Poly, Poly], links: TwoLinks, flip: int
     ) -> None:
         """Name what is known of both equations, state them, solve."""
         draft = self.draft
-        self._use(*statements)
+        self._use(*statements, gives="Two links in a plane,")
         known = []
         for index, (statement, rest) in enumerate(zip(statements, rests, strict=True), start=1):
             side = self._known_side(statement, rest, flip if index == 2 else 1)
@@ -293,11 +259,6 @@ class Solver:
                 (plus if sign > 0 else minus).append(Sym(part.name))
             draft.solve(angle.name, add(*plus, *(opposite(part) for part in reversed(minus))), branches=1)
             self.known = self.known.with_angle(_edge(angle))
-
-
-def _coefficient(ring: Ring) -> Callable[[dict[tuple[int, ...], Poly], tuple[int, ...]], Poly]:
-    """How a coefficient is read that may not be there."""
-    return lambda parts, key: parts.get(key, ring.zero)
 
 
 def _edge(angle: Angle) -> Edge:

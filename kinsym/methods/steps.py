@@ -45,8 +45,8 @@ class AngleOf:
 
     @property
     def label(self) -> str:
-        """The digits: 23."""
-        return self.cosine[1:]
+        """The digits: 23; the name of an angle that no joint has."""
+        return self.cosine[1:] if self.cosine[1:2].isdigit() else self.name
 
     @property
     def c(self) -> Tree:

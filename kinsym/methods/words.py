@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from kinsym.algebra.ring import Generator, Kind, Poly, Ring
-from kinsym.algebra.tree import Num, Sym, Tree, negated
+from kinsym.algebra.tree import Num, Pow, Prod, Sum, Sym, Tree, negated
 from kinsym.methods.draft import Draft
 
 
@@ -35,6 +35,28 @@ class Words(Ring):
                     term = plain.mul(term, meaning[generator.name])
             total += term
         return plain.reduce(total)
+
+    def of_tree(self, tree: Tree) -> Poly:
+        """A formula without quotients and functions as a polynomial; its names are generators of this ring."""
+        match tree:
+            case Num(value):
+                return self.number(value)
+            case Sym(name):
+                return self[name]
+            case Sum(terms):
+                total = self.zero
+                for term in terms:
+                    total += self.of_tree(term)
+                return total
+            case Prod(factors):
+                product = self.one
+                for factor in factors:
+                    product = self.mul(product, self.of_tree(factor))
+                return product
+            case Pow(base, exponent):
+                return self.reduce(self.of_tree(base) ** exponent)
+            case _:
+                raise TypeError(f"{tree} is no polynomial")
 
 
 def short(draft: Draft, stem: str, poly: Poly) -> Tree:

@@ -76,7 +76,11 @@ def constant_orientation(
     values: Values | None = None,
     limits: bool = True,
 ) -> Bools:
-    """Which points (..., 3) the end effector reaches with one orientation (3, 3); (...)."""
+    """Which points (..., 3) the end effector reaches with one orientation (3, 3); (...).
+
+    An arm whose task tells no orientation reaches a point with the one that it has there. Raises :class:`RobotError`
+    for what is no rotation and where a parameter has no value.
+    """
     import numpy as np
 
     arm = _arm(robot, values)

@@ -11,6 +11,7 @@ from kinsym.methods import METHODS
 from kinsym.methods.draft import Draft
 from kinsym.robot import from_inline, load
 from kinsym.robot.model import Robot
+from tests.arms import SHAPES
 from tests.methods.floats import Posture, follow
 
 PIEPER = (
@@ -58,6 +59,15 @@ def chains(monkeypatch: pytest.MonkeyPatch) -> list[Chain]:
 @pytest.mark.parametrize(("method", "name"), CASES)
 def test_every_joint_is_among_its_solutions(method: str, name: str, chains: list[Chain]) -> None:
     derivation = METHODS[method](robot_of(name))
+    assert derivation.solutions
+    for seed in range(4):
+        assert follow(derivation, Posture(chains[-1], seed)) == []
+
+
+@pytest.mark.parametrize("name", ["parallel_123", "general_3r", "general_pieper", "skew_wrist"])
+def test_reductions_to_a_polynomial(name: str, chains: list[Chain]) -> None:
+    """Equations of a closed form that become quadratic, or of degree four, in the tangent of half an angle."""
+    derivation = METHODS["half_angle"](from_inline(SHAPES[name], convention="paul", name=name))
     assert derivation.solutions
     for seed in range(4):
         assert follow(derivation, Posture(chains[-1], seed)) == []

@@ -15,7 +15,8 @@ from kinsym.methods import METHODS
 from kinsym.methods.document import INVERSE, Factor, Matrix, Product
 from kinsym.methods.draft import Draft
 from kinsym.methods.proof import ProofFailed
-from kinsym.robot import gallery, load
+from kinsym.robot import from_inline, gallery, load
+from tests.arms import SHAPES
 
 C1, S1, C2, L1, L2 = (Sym(name) for name in ("c1", "s1", "c2", "l1", "l2"))
 
@@ -100,3 +101,10 @@ def test_forward_methods_hold_for_the_gallery(method: str) -> None:
         with contextlib.suppress(KinsymError):
             found += bool(METHODS[method](load(name)).equations)
     assert found >= {"loop_closure": 2, "craig": 14, "paul": 14}.get(method, 16)
+
+
+@pytest.mark.parametrize("method", ["algebraic", "half_angle"])
+@pytest.mark.parametrize("name", ["sliding_rrp", "sliding_ends", "parallel_123", "symbolic_pieper", "skew_wrist"])
+def test_plans_of_every_rule_are_proved_again(method: str, name: str) -> None:
+    """Polynomials of degree four in an angle and in a length, d = size tan(phi/2), bent links, reversed axes."""
+    assert METHODS[method](from_inline(SHAPES[name], convention="paul", name=name)).equations

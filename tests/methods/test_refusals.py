@@ -30,7 +30,7 @@ REASONS = [
     ("loop_closure", "puma560", "axes 1 and 2 are not parallel"),
     ("loop_closure", "gudel_fp1", "not"),
     ("geometric", "stanford_paul", "it has no elbow"),
-    ("half_angle", "cylindrical_rpp", "no step of its closed form"),
+    ("half_angle", "cylindrical_rpp", "no step of its closed form is one equation a c + b s = e, or squares added"),
     ("screws_inverse", "kuka_iiwa", "leave theta1, theta2"),
     ("workspace", "planar_rrr_paul", "its joints are R R R"),
 ]

@@ -40,7 +40,9 @@ def equation_text(equation: Equation, page: Page) -> str:
 def _plain(equation: Equation, page: Page) -> str:
     left, right = _side(equation.left, page), _side(equation.right, page)
     rest = f" {equation.sign} {right}"
-    if len(left) <= page.width // 2 or _INDENT + len(left) + len(rest) <= page.width:
+    if _INDENT + len(left) + len(rest) <= page.width:
+        return f"{' ' * _INDENT}{left}{rest}"
+    if len(left) <= page.width // 2:
         return page.equation(left, right, indent=_INDENT, relation=equation.sign)
     lines = broken(left, page.width - _INDENT - _CONTINUED, syntax=TEXT)
     shown = [
