@@ -35,4 +35,3 @@ C, S, A, B = (RING[name] for name in ("c1", "s1", "a", "b"))
 def test_a_length_less_its_turned_self_is_a_versine(poly: Poly, text: str) -> None:
     """``a (1 - c)``, as the lecture writes screw displacements; only where nothing else is in the sum."""
     assert TextPrinter()(nested(RING, RING.reduce(poly))) == text
-
