@@ -16,7 +16,7 @@ SOURCE = "H. D. Taghirad, Robotics: Mechanics & Control, chapter 3: Kinematic An
 
 def lecture(options: argparse.Namespace, screen: Screen) -> int:
     """Print a verdict on every equation, or the mistakes; 1 unless every entry is accounted for."""
-    from kinsym.lecture.report import chosen, errata, forms, lines, missing, summary
+    from kinsym.lecture.report import chosen, errata, forms, lines, missing, summary, ways
     from kinsym.lecture.verdict import failed_ways, verdicts
 
     found: list[Verdict] = []
@@ -28,11 +28,12 @@ def lecture(options: argparse.Namespace, screen: Screen) -> int:
     for chapter in selected:
         own = list(verdicts([chapter]))
         found += own
-        failed += [f"{chapter.system}: {name}" for name in failed_ways(chapter)]
+        astray = failed_ways(chapter)
+        failed += [f"{chapter.system}: {name}" for name in astray]
         if options.errata:
             continue
         screen.say(f"{chapter.title}\n{'-' * len(chapter.title)}")
-        screen.say("\n".join(lines(own)) + "\n")
+        screen.say("\n".join([*lines(own), *ways(chapter, astray)]) + "\n")
         if note := missing(chapter):
             screen.say(note + "\n")
     if options.errata:

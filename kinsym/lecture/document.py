@@ -43,6 +43,7 @@ def markdown(verdicts: Sequence[Verdict]) -> str:
         alike=sum(v.likeness is Likeness.SAME for v in counted),
     )
     parts = [head, "## Sections\n", *_sections(verdicts), "\n## Mistakes\n", *_mistakes(verdicts)]
+    parts += ["\n## Conditions that the lecture needs and does not print\n", *_conditions(verdicts)]
     parts += ["\n## Where kinsym writes it in another form\n", *_other_forms(verdicts)]
     return "\n".join(parts) + "\n"
 
@@ -71,6 +72,16 @@ def _mistakes(verdicts: Sequence[Verdict]) -> Iterator[str]:
         cells = [form if entry.printed.claim else f"`{form}`" for form in forms]
         row = (str(entry.slide), verdict.chapter.system, *cells, _plain(reason(verdict)))
         yield f"| {' | '.join(row)} |"
+
+
+def _conditions(verdicts: Sequence[Verdict]) -> Iterator[str]:
+    yield "| slide | system | entry | condition |"
+    yield "|--:|---|---|---|"
+    for verdict in sorted(verdicts, key=lambda v: v.entry.slide):
+        condition = verdict.entry.printed.options.get("unstated")
+        if condition:
+            entry = verdict.entry
+            yield f"| {entry.slide} | {verdict.chapter.system} | `{entry.id}` | {_plain(condition)} |"
 
 
 def _other_forms(verdicts: Sequence[Verdict]) -> Iterator[str]:

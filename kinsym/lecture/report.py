@@ -169,6 +169,16 @@ def reason(verdict: Verdict) -> str:
     return verdict.entry.reason.rstrip(".") + doubt
 
 
+def ways(chapter: Chapter, failed: Sequence[str]) -> Iterator[str]:
+    """The ways from a pose to the joint values that were walked, with all their branches."""
+    for way in chapter.ways:
+        if way["id"] not in failed:
+            text = (
+                f"{way['total']} solutions in all branches of {', '.join(way['steps'])}; each leads back to the pose."
+            )
+            yield filled(text, indent=9)
+
+
 def missing(chapter: Chapter) -> str:
     """What the lecture leaves open of a system, so that nothing can be derived; empty for all others."""
     if not chapter.without_dimensions:

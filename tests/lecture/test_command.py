@@ -41,6 +41,14 @@ def test_one_system(run) -> None:  # type: ignore[no-untyped-def]
     assert "  total            10       7     3       0     6 of 7" in lines
 
 
+def test_whole_solutions_are_walked(run) -> None:  # type: ignore[no-untyped-def]
+    """The eight solutions of the Fanuc arm are counted, and all branches lead back."""
+    status, out, _ = run("fanuc_s900w")
+    text = " ".join(out.split())
+    assert status == 0
+    assert "8 solutions in all branches of theta1, theta3, theta2, theta5, theta4, theta6; each leads back" in text
+
+
 def test_errata_with_their_reasons(run) -> None:  # type: ignore[no-untyped-def]
     """Both forms and why; other entries are not listed."""
     status, out, _ = run("stanford_screw", "--errata")
