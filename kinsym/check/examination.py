@@ -14,6 +14,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
+from kinsym.check.batch import SINGLE_LAW, SINGLE_LIMIT, hold_batch
 from kinsym.check.control import hold_nearest, hold_status
 from kinsym.check.laws import CLOSURE, COPY, FORWARD, PATH, SAME, Judge, malformed, outward
 from kinsym.check.ledger import Ledger
@@ -47,7 +48,6 @@ AGREE_LIMIT = f"<= {SAME:g} or one double root; next to singular poses but for 1
 
 TABLE_LIMIT = 1e-30
 SLOPE_LIMIT = 1e-8
-SINGLE_LIMIT = 1e-12
 NOISE = 1e-9
 #: Solutions whose volume is below this share of the usual one may be points of a curve of solutions.
 REGULAR = 1e-3
@@ -66,7 +66,6 @@ AGREE_LAW = "same solutions in the same order"
 REFUSE_LAW = "what is no pose is refused"
 FAR_LAW = "no solution beyond the reach"
 NOISE_LAW = "rotations known to nine digits are solved"
-SINGLE_LAW = "ik and ik_batch agree"
 SWEEP_LAW = "ik_sweep and ik_batch agree"
 ERROR_LAW = "runs without an error"
 
@@ -124,6 +123,8 @@ class Examination:
                 if isinstance(target, NumpySolver):
                     self._single(target, some[:SINGLE_POSES])
                     self._sweep(target, some[:SINGLE_POSES])
+                if isinstance(target, CSolver):
+                    hold_batch(self.ledger, target, self.judge, poses=self.poses, q=self.q)
                 if isinstance(target, NumpySolver | CSolver):
                     hold_nearest(self.ledger, target, self.judge, poses=self.poses[some], q=self.q[some], rng=self.rng)
             except Exception as error:  # generated code that was edited may raise anything

@@ -54,7 +54,7 @@ def numpy_source(schedule: Schedule) -> dict[str, str]:
         "schedule": schedule,
         "joints": len(schedule.joints),
         "solutions": schedule.maximum,
-        "banner": [python_docstring(line) for line in banner(schedule)],
+        "banner": [python_docstring(line) for line in banner(schedule, shared=False)],
         "singular": [python_docstring(line) for line in singular_lines(schedule)],
         "fk": line_needs(schedule, schedule.forward),
         "jacobian": line_needs(schedule, schedule.jacobian),
