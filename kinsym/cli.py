@@ -1,4 +1,4 @@
-"""The command line: ``kinsym derive``, ``show``, ``import``, ``robots`` and ``check``.
+"""The command line: ``kinsym derive``, ``show``, ``import``, ``robots``, ``check`` and ``lecture``.
 
 Only the parser lives here, and it loads nothing that calculates, so that ``kinsym --help`` answers at once. Exit
 status: 0 done and checked, 1 no closed form or a check failed, 2 the input is wrong, 130 interrupted.
@@ -28,6 +28,7 @@ METHODS = (
     "half_angle",
     "pieper",
     "zyz",
+    "decoupled",
 )
 TARGETS = ("numpy", "c", "latex")
 INTERRUPTED = 130
@@ -44,6 +45,7 @@ examples:
   kinsym import arm.urdf --tip-link tool0   the same as a robot file, to read and edit
   kinsym show ur5                           the equations only
   kinsym check out                          the checks again, on the files in ./out
+  kinsym lecture                            every equation of the lecture, derived and compared
 
 exit status: 0 done and checked; 1 no closed form, or a check failed; 2 the input is wrong
 """
@@ -88,6 +90,14 @@ def parser() -> argparse.ArgumentParser:
     )
     check.add_argument("folder", metavar="DIR", help="a folder that kinsym derive has written")
     check.add_argument("--quiet", action="store_true", help="print errors only")
+
+    lecture = commands.add_parser(
+        "lecture", help="hold the lecture's equations against what kinsym derives", allow_abbrev=False
+    )
+    lecture.add_argument("system", metavar="SYSTEM", nargs="?", help="one system of the lecture (default: all)")
+    lecture.add_argument("--errata", action="store_true", help="list the lecture's mistakes with the reason")
+    lecture.add_argument("--markdown", action="store_true", help="print docs/lecture.md, the sections beside kinsym")
+    lecture.add_argument("--quiet", action="store_true", help="print errors only")
     return top
 
 
@@ -170,6 +180,10 @@ def _run(options: argparse.Namespace) -> int:
                 from kinsym.command.check import check
 
                 return check(options, screen)
+            case "lecture":
+                from kinsym.command.lecture import lecture
+
+                return lecture(options, screen)
             case _:
                 from kinsym.command.robots import robots
 
@@ -180,7 +194,7 @@ def _run(options: argparse.Namespace) -> int:
 
 def _suggest(given: list[str]) -> None:
     """Stop at a first word that is no command, with the nearest one, or the command that a table's name lacks."""
-    commands = ("derive", "show", "import", "robots", "check")
+    commands = ("derive", "show", "import", "robots", "check", "lecture")
     if not given or given[0].startswith("-") or given[0] in commands:
         return
     from kinsym.robot import gallery

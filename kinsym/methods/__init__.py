@@ -15,6 +15,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from kinsym.methods.algebraic import algebraic
+from kinsym.methods.decoupled import decoupled
 from kinsym.methods.denavit import craig, paul
 from kinsym.methods.document import MethodDerivation
 from kinsym.methods.euler import zyz
@@ -44,6 +45,7 @@ METHODS: Mapping[str, Method] = MappingProxyType(
         "half_angle": reduction,
         "pieper": pieper,
         "zyz": zyz,
+        "decoupled": decoupled,
     }
 )
 """Every method by its name on the command line, in the order of the lecture."""

@@ -32,6 +32,7 @@ CASES = [
         ("screws_inverse", robot)
         for robot in ("elbow_6r_screw", "stanford_screw", "planar_rrr_screw", "ur5", "puma560", "scara", "scorbot_5r")
     ),
+    *(("decoupled", robot) for robot in ("fanuc_s900w", "puma560", "abb_irb120")),
     *(("screws_inverse", robot) for robot in ("cylindrical_rpp", "elbow_rrr", "planar_rr", "spherical_wrist", "bent")),
     *(("geometric", robot) for robot in ("elbow_rrr", "puma560", "ur5", "elbow_6r_screw")),
 ]

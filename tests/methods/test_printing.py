@@ -28,6 +28,7 @@ PAGES = [
     ("paul", "scara"),
     ("craig", "planar_rrr_craig"),
     ("zyz", "spherical_wrist"),
+    ("decoupled", "fanuc_s900w"),
     ("frames", "planar_rr"),
     ("workspace", "planar_rr"),
 ]

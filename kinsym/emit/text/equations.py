@@ -27,6 +27,7 @@ from kinsym.emit.prose.wording import (
     marks_explained,
     one_line,
     origins,
+    row_product,
     rule_title,
     shown_items,
     sifting,
@@ -107,10 +108,10 @@ def notation(derivation: Derivation, page: Page | None = None) -> str:
     return "\n".join(lines)
 
 
-def links(forward: Forward, page: Page | None = None) -> str:
-    """The link transforms as matrices."""
+def links(robot: Robot, forward: Forward, page: Page | None = None) -> str:
+    """The link transforms as matrices, and the elementary transforms that a row of the table is the product of."""
     page = page or Page()
-    parts = []
+    parts = [f"  A_i = {product}"] if (product := row_product(robot.convention)) else []
     for link in forward.links:
         cells = [[page.formula(cell) for cell in row] for row in link.matrix[:3]]
         rows = page.columns(cells, indent=0).splitlines()
@@ -274,7 +275,7 @@ def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, f
         f"{_heading('Notation')}\n{notation(derivation, page)}",
     ]
     if full:
-        sections.append(f"{_heading('Link transforms')}\n{links(derivation.forward, page)}")
+        sections.append(f"{_heading('Link transforms')}\n{links(robot, derivation.forward, page)}")
     sections.append(f"{_heading('Forward kinematics')}\n{forward_kinematics(derivation, page)}")
     if full:
         sections.append(f"{_heading('Jacobian')}\n{jacobian(derivation.forward, derivation.jacobian, page)}")
