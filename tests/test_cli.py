@@ -15,7 +15,7 @@ import pytest
 from kinsym import __version__
 from kinsym.check.report import FAILED, Check
 from kinsym.cli import CONVENTIONS, TARGETS, TASKS, main
-from kinsym.command.rendering import SUFFIXES
+from kinsym.command.rendering import FILES
 from kinsym.robot import gallery
 from kinsym.robot.model import Convention, Task
 
@@ -47,7 +47,7 @@ def test_choices_are_those_of_the_model() -> None:
     """The parser repeats the names of the model so as not to load it."""
     assert set(TASKS) == {task.value for task in Task}
     assert set(CONVENTIONS) == {convention.value for convention in Convention}
-    assert set(TARGETS) == set(SUFFIXES)
+    assert set(TARGETS) == set(FILES)
 
 
 def test_derive_writes_five_files_and_says_so(kinsym: Run) -> None:
