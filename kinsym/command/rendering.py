@@ -16,7 +16,8 @@ FILES = {
     "extension": tuple(
         "{0}-solver/" + path
         for path in """pyproject.toml setup.py README.md c/core.c c/{0}.c c/{0}.h src/{0}/__init__.py
-        src/{0}/_arguments.py src/{0}/_core.pyi src/{0}/py.typed""".split()
+        src/{0}/_arguments.py src/{0}/_arguments.pyi
+        src/{0}/_core.pyi src/{0}/py.typed""".split()
     ),
 }
 #: What is written where nobody asks for a language.

@@ -28,6 +28,7 @@ _TEMPLATES = {
     "c/core.c": "core.c",
     "src/{name}/__init__.py": "package.py",
     "src/{name}/_arguments.py": "arguments.py",
+    "src/{name}/_arguments.pyi": "arguments.pyi",
     "src/{name}/_core.pyi": "core.pyi",
 }
 _FLOATS = "NDArray[np.float64]"
