@@ -1,7 +1,8 @@
 """A set of files, all or none.
 
-A name may lead into sub-folders (``ur5-solver/setup.py``), never out of the folder. Everything is written into a private folder beside the targets first; only then are the files moved into place, each
-in one step. What was there before comes back if a move fails. Files of other names are never touched.
+Everything is written into a private folder beside the targets first; only then are the files moved into place, each
+in one step. What was there before comes back if a move fails. Files of other names are never touched. A name may lead
+into sub-folders (``ur5-solver/setup.py``), never out of the folder.
 """
 
 from __future__ import annotations

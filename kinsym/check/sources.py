@@ -68,7 +68,8 @@ def load(
     if f"{schedule.name}-solver/c/core.c" in sources:
         progress("building the package")
         place = _built(schedule, folder / f"{schedule.name}-solver", ledger, versions)
-        package = place and _imported(schedule, place, load_package, EXTENSION, ledger)
+        if place is not None:
+            package = _imported(schedule, place, load_package, EXTENSION, ledger)
     return Sources(schedule=schedule, module=module, library=library, package=package, versions=versions)
 
 
