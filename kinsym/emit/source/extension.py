@@ -42,7 +42,7 @@ def extension_source(schedule: Schedule) -> dict[str, str]:
     folder, name = f"{schedule.name}-solver", schedule.name
     names = _names(schedule)
     texts = {path.format(name=name): render(f"extension/{t}.jinja", **names) for path, t in _TEMPLATES.items()}
-    texts |= {f"src/{name}/py.typed": "", **{f"c/{file}": text for file, text in c_source(schedule).items()}}
+    texts |= {f"src/{name}/py.typed": "\n", **{f"c/{file}": text for file, text in c_source(schedule).items()}}
     return {f"{folder}/{path}": text for path, text in texts.items()}
 
 
@@ -61,6 +61,11 @@ def _names(schedule: Schedule) -> dict[str, Any]:
     def call(function: str, *arguments: str | Sequence[str], target: str = "return") -> str:
         listed = [name for item in arguments for name in ([item] if isinstance(item, str) else item)]
         return code(target, f"_core.{function}({', '.join([*listed, *every])})")
+
+    def fields(caller: str, place: int) -> str:
+        if not inputs:
+            return f"read_parameters(args + {place}, &p)"
+        return f'read_fields(module, "{caller}", args + {place}, &p)'
 
     return {
         **constants(schedule),
@@ -81,6 +86,7 @@ def _names(schedule: Schedule) -> dict[str, Any]:
         "code": code,
         "signature": signature,
         "call": call,
+        "fields": fields,
         "inputs": inputs,
         "locked": [f"{name}={name}" for name in inputs],
         "passed": [f"{name}={name}" for name in every],
