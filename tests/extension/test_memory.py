@@ -49,7 +49,7 @@ CALLS: dict[str, Callable[[Any], Any]] = {
 def test_nothing_is_kept(case: str) -> None:
     """Reference counts of everything that is handed in, and the memory in use, are the same after a thousand calls.
 
-    Objects of Python's and NumPy's free lists are taken for new ones by the first who needs them, so the least growth of
+    Objects of Python's and NumPy's free lists are taken for new ones by the first who needs them, so the least of
     three rounds counts.
     """
     package = pair("kuka_iiwa").package
