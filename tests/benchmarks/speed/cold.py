@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import os
+import resource
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 from typing import NamedTuple
 
@@ -16,7 +17,7 @@ ROOT = Path(__file__).resolve().parents[3]
 
 
 class Cold(NamedTuple):
-    """Wall seconds of one run; or why there are none."""
+    """Processor seconds of one run, in one thread; or why there are none."""
 
     seconds: float | None
     refused: str = ""
@@ -36,9 +37,16 @@ def peer(name: str, arm: str, environment: Path, folder: Path) -> Cold:
 
 
 def _run(command: list[str]) -> Cold:
-    start = time.perf_counter()
-    finished = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
-    taken = time.perf_counter() - start
+    before = _children()
+    alone = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+    finished = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, env=alone)
+    taken = _children() - before
     if finished.returncode:
         return Cold(None, (finished.stderr.strip().splitlines() or ["no word"])[-1])
     return Cold(taken)
+
+
+def _children() -> float:
+    """Processor seconds of all processes that were started here and have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime

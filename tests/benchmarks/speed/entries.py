@@ -41,10 +41,11 @@ class Entry:
 
 @dataclass(frozen=True, kw_only=True)
 class Goal:
-    """The time of an entry over the first one's must be at least so much, or at most."""
+    """The time of an entry over another's (the first one's if it is not named) must be at least so much, or at most."""
 
     entry: str
     ratio: float
+    over: str = ""
     most: bool = False
 
     def met(self, ratio: float) -> bool:

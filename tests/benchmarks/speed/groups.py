@@ -119,7 +119,7 @@ def _python(material: Material, arm: str) -> Group:
         kind="ik",
         inputs=_poses(arm, SOME)[1],
         entries=kept,
-        goals=(Goal(entry=EAIK, ratio=1.5),),
+        goals=(Goal(entry=EAIK, ratio=1.5), Goal(entry=TOOLBOX, ratio=5.0, over=MODULE)),
     )
 
 

@@ -43,7 +43,19 @@ class Program:
         """The shared library."""
         (self.folder / f"{name}.c").write_text(self.adapter, encoding="utf-8")
         library = self.folder / f"{name}.so"
-        command = [compiler, *flags.split(), "-fPIC", "-shared", f"{name}.c", *self.sources, "-o", str(library), "-lm"]
+        # Robotics Toolbox reads M_PI_2, which C99 alone does not have.
+        command = [
+            compiler,
+            *flags.split(),
+            "-D_DEFAULT_SOURCE",
+            "-fPIC",
+            "-shared",
+            f"{name}.c",
+            *self.sources,
+            "-o",
+            str(library),
+            "-lm",
+        ]
         subprocess.run(command, cwd=self.folder, check=True, capture_output=True, text=True)
         return library
 
