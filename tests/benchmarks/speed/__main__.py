@@ -87,11 +87,15 @@ def main() -> None:
             {arm: own.prepare(ARMS[arm], folder / kind / arm, bound=kind == own.BOUND) for arm in arms}
             for kind in (own.BOUND, own.FREE)
         )
-        material = Material(bound=bound, free=free, others=others, absent=absent, crowd=options.crowd)
+        refusals = {(name, arm): why for name, why in absent.items() for arm in arms}
+        refusals |= {
+            (name, arm): run.refused for arm, runs in taken.items() for name, run in runs.items() if run.refused
+        }
+        material = Material(bound=bound, free=free, others=others, refusals=refusals, crowd=options.crowd)
         outcome = timed(list(groups(material)), options.environment, folder, options.turns)
     outcome.sort(key=lambda item: item[0].title)
     command = f"python -m tests.benchmarks.speed --turns {options.turns} --runs {options.runs} --crowd {options.crowd}"
-    text = "\n".join(document(outcome, taken, absent, command)) + "\n"
+    text = "\n".join(document(outcome, taken, command)) + "\n"
     print(text, end="")
     if options.write:
         (DOCS / "performance.md").write_text(text, encoding="utf-8", newline="\n")

@@ -30,12 +30,19 @@ class Python:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Refusal:
+    """A library that cannot be asked, and why: it has a line of its own."""
+
+    why: str
+
+
+@dataclass(frozen=True, kw_only=True)
 class Entry:
     """One contender. ``number`` of the inputs are put to it; slow ones get fewer."""
 
     name: str
     arm: str
-    program: Library | Python
+    program: Library | Python | Refusal
     number: int
 
 

@@ -26,7 +26,8 @@ def judged(kind: str, arm: str, inputs: Floats, answer: Answer) -> Verdict:
     """The answers to inputs: solutions of poses (..., n), or matrices of joint vectors as rows."""
     table = ARMS[arm]
     found = np.array([len(rows) for rows in answer])
-    rows = np.concatenate([np.asarray(one, dtype=np.float64).reshape(len(one), -1) for one in answer])
+    width = {"ik": len(table.rows), "fk": 16, "jacobian": 6 * len(table.rows)}[kind]
+    rows = np.concatenate([np.asarray(one, dtype=np.float64).reshape(-1, width) for one in answer])
     if kind == "ik":
         wanted = np.repeat(inputs, found, axis=0)
         misses = np.abs(table.forward(rows) - wanted)
@@ -34,6 +35,6 @@ def judged(kind: str, arm: str, inputs: Floats, answer: Answer) -> Verdict:
         q = inputs[: len(rows)]
         matrix = table.forward(q) if kind == "fk" else table.jacobian(q)
         misses = np.abs(rows - matrix.reshape(len(rows), -1))
-    worst = misses.reshape(len(rows), -1).max(axis=1, initial=0.0)
+    worst = misses.max(axis=tuple(range(1, misses.ndim)), initial=0.0)
     good = worst <= WRONG
     return Verdict(mean=float(found.mean()), wrong=int((~good).sum()), worst=float(worst[good].max(initial=0.0)))

@@ -7,6 +7,7 @@ answer of each ``stride`` doubles behind the one before (0: all to one place, so
 
 from __future__ import annotations
 
+import hashlib
 import shutil
 import subprocess
 from dataclasses import dataclass
@@ -39,8 +40,10 @@ class Program:
     sources: tuple[str, ...]
     adapter: str
 
-    def build(self, compiler: str, flags: str, name: str) -> Path:
-        """The shared library."""
+    def build(self, compiler: str, flags: str) -> Path:
+        """The shared library, under a name that no other adapter, source, compiler or set of flags gives."""
+        said = "\n".join([compiler, flags, *self.sources, self.adapter])
+        name = f"run_{hashlib.sha256(said.encode()).hexdigest()[:16]}"
         (self.folder / f"{name}.c").write_text(self.adapter, encoding="utf-8")
         library = self.folder / f"{name}.so"
         # Robotics Toolbox reads M_PI_2, which C99 alone does not have.

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
-from kinsym.check.extension import build, headers
 from kinsym.command.rendering import rendered
 from kinsym.deriving import derive
 from kinsym.emit.program import build_schedule
@@ -45,12 +46,14 @@ class Own:
         """``fk`` or ``jacobian``."""
         return self._program(kinsym_line(self.schedule.name, function))
 
-    def package(self, compiler: str) -> Path:
-        """The folder to put on the path for ``import NAME``."""
-        include = headers()
-        if include is None:
-            raise FileNotFoundError("Python.h")
-        return build(self.folder / f"{self.schedule.name}-solver", self.schedule.name, compiler, include).parent
+    def package(self) -> Path:
+        """The folder to put on the path for ``import NAME``, filled by pip as a user would."""
+        target = self.folder / "site"
+        if not target.exists():
+            command = [sys.executable, "-m", "pip", "install", "--quiet", "--no-build-isolation", "--no-deps"]
+            source = self.folder / f"{self.schedule.name}-solver"
+            subprocess.run([*command, "--target", str(target), str(source)], check=True)
+        return target
 
     def _program(self, adapter: str) -> Program:
         return Program(folder=self.folder, sources=(f"{self.schedule.name}.c",), adapter=adapter)

@@ -36,6 +36,8 @@ def lines_of(group: Group, results: Mapping[str, dict[str, Any]]) -> list[Line]:
     """The lines of a group. Ratios are taken turn by turn: what slows the machine slows both."""
     seconds = {name: np.array(result["seconds"]) for name, result in results.items() if "seconds" in result}
     first = group.entries[0].name
+    if first not in seconds:
+        raise RuntimeError(f"{group.title}, {group.arm}: {results[first]['refused']}")
     lines = []
     for entry in group.entries:
         result, title = results[entry.name], ARMS[group.arm].title
@@ -73,7 +75,6 @@ def _told(goal: Goal, ratio: float) -> str:
 def document(
     outcome: Sequence[tuple[Group, list[Line]]],
     cold: Mapping[str, Mapping[str, Cold]],
-    absent: Mapping[str, str],
     command: str,
 ) -> list[str]:
     """The lines of ``docs/performance.md``."""
@@ -84,8 +85,6 @@ def document(
         lines += [_row(line) for _, group in part for line in group]
         lines.append("")
     lines += ["## Derivation and emission in a cold process", "", *_cold(cold), ""]
-    if absent:
-        lines += ["Not asked: " + "; ".join(f"{name} ({why})" for name, why in absent.items()) + ".", ""]
     return lines[:-1]
 
 
@@ -120,7 +119,8 @@ def _processors() -> list[str]:
 def _row(line: Line) -> str:
     if line.nanoseconds is None or line.ratio is None:
         return f"| {line.arm} | {line.name} | | | refused: {line.answers} | |"
-    return f"| {line.arm} | {line.name} | {line.nanoseconds:.0f} | {line.ratio:.2f} | {line.answers} | {'; '.join(line.goals)} |"
+    figures = f"{line.nanoseconds:.0f} | {line.ratio:.2f}"
+    return f"| {line.arm} | {line.name} | {figures} | {line.answers} | {'; '.join(line.goals)} |"
 
 
 def _cold(cold: Mapping[str, Mapping[str, Cold]]) -> list[str]:

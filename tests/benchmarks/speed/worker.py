@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from tests.benchmarks.speed.arms import ARMS, Floats
-from tests.benchmarks.speed.entries import Answer, Entry, Group, Library, Python
+from tests.benchmarks.speed.entries import Answer, Entry, Group, Library, Python, Refusal
 from tests.benchmarks.speed.peers import Refused
 
 #: A turn of one entry lasts about this long.
@@ -37,6 +37,8 @@ def pin() -> None:
 
 def answered(entry: Entry, inputs: Floats) -> tuple[Callable[[], None], Answer]:
     """What is timed, and the answers to all inputs. Raises what a library raises."""
+    if isinstance(entry.program, Refusal):
+        raise Refused(entry.program.why)
     if isinstance(entry.program, Library):
         return _native(entry.program, inputs)
     return _python(entry.program, ARMS[entry.arm], inputs)
