@@ -64,6 +64,23 @@ def test_derive_writes_five_files_and_says_so(kinsym: Run) -> None:
     assert report["figures"]["poses"] >= 1000
 
 
+def test_operations_are_told(kinsym: Run) -> None:
+    """The same counts on the terminal, in the report and in the head of each file; a search for roots has none."""
+    assert kinsym("derive", PLANAR, "--no-check") == 0
+    told = kinsym.out.partition("Operations\n----------\n")[2].partition("\n\n")[0].splitlines()
+    assert [line.split()[0] for line in told] == ["fk", "ik", "jacobian"]
+    # p = l1 (c1, s1) + l2 (c12, s12): four products, two sums, and theta1 + theta2 once in each expression
+    assert told[0] == "  fk        4 + -, 4 *, 2 sincos"
+    for suffix in (".py", ".c", ".h"):
+        text = (kinsym.folder / PLANAR / (PLANAR + suffix)).read_text()
+        assert all(line in text for line in told)
+    report = json.loads((kinsym.folder / PLANAR / f"{PLANAR}.report.json").read_text())
+    assert set(report["operations"]) == {"forward", "inverse", "jacobian"}
+    assert (report["operations"]["forward"]["multiplications"], report["operations"]["forward"]["sincos"]) == (4, 2)
+    assert kinsym("derive", "fanuc_crx10ial", "--no-check", "-o", "crx") == 0
+    assert "  ik        as many as its search for roots takes\n" in kinsym.out
+
+
 def test_same_bytes_twice(kinsym: Run) -> None:
     """Two runs write the same files, the report included."""
     assert kinsym("derive", PLANAR, "-o", "one") == kinsym("derive", PLANAR, "-o", "two") == 0

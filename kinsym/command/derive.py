@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from kinsym.check.report import FAILED, NOT_RUN, SUFFIX, Check, Report
 from kinsym.command.screen import Screen
 from kinsym.command.table import robot_of, say_notes
 from kinsym.write import check_place, write_set
+
+if TYPE_CHECKING:
+    from kinsym.emit.schedule import Schedule
 
 
 def derive(options: argparse.Namespace, screen: Screen) -> int:
@@ -38,6 +42,7 @@ def derive(options: argparse.Namespace, screen: Screen) -> int:
 
         findings = compare(derivation.robot, schedule, sources, screen.stage)
     report = report_of(derivation.robot, schedule, sources, findings)
+    say_operations(schedule, screen)
     paths = write_set(folder, {**sources, robot.name + SUFFIX: report.text()})
     say_checks(report, screen)
     screen.say("Written")
@@ -45,6 +50,19 @@ def derive(options: argparse.Namespace, screen: Screen) -> int:
     for path in paths:
         screen.say(f"  {path}")
     return verdict(report, folder, screen)
+
+
+def say_operations(schedule: Schedule, screen: Screen) -> None:
+    """What each generated function computes, counted exactly."""
+    from kinsym.emit.operations import operation_lines
+
+    screen.say("Operations")
+    screen.say("----------")
+    for line in operation_lines(schedule):
+        screen.say(f"  {line}")
+    if schedule.general:
+        screen.say("  ik        as many as its search for roots takes")
+    screen.say()
 
 
 def say_checks(report: Report, screen: Screen) -> None:
