@@ -45,7 +45,7 @@ def lines_of(group: Group, results: Mapping[str, dict[str, Any]]) -> list[Line]:
             short = result["refused"].splitlines()[0][:60]
             lines.append(Line(arm=title, name=entry.name, nanoseconds=None, ratio=None, answers=short, goals=()))
             continue
-        verdict = judged(group.kind, group.arm, group.inputs[: entry.number], result["answer"])
+        verdict = judged(group.kind, group.arm, group.inputs[: len(result["answer"])], result["answer"])
         goals = [goal for goal in group.goals if goal.entry == entry.name and (goal.over or first) in seconds]
         solutions = f"{verdict.mean:.2f}, " if group.kind == "ik" else ""
         lines.append(
@@ -62,8 +62,9 @@ def lines_of(group: Group, results: Mapping[str, dict[str, Any]]) -> list[Line]:
 
 
 def _ratio(seconds: Mapping[str, Floats], name: str, over: str) -> float:
-    """The median over the turns: what slows the machine slows both."""
-    return float(np.median(seconds[name] / seconds[over]))
+    """The median over the turns that both had: what slows the machine slows both."""
+    turns = min(len(seconds[name]), len(seconds[over]))
+    return float(np.median(seconds[name][:turns] / seconds[over][:turns]))
 
 
 def _told(goal: Goal, ratio: float) -> str:
