@@ -8,7 +8,6 @@ from __future__ import annotations
 import importlib.util
 import sys
 import sysconfig
-from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
 from types import ModuleType
 
@@ -37,8 +36,7 @@ def build(folder: Path, name: str, compiler: str, include: Path) -> Path:
         flags.append("-DPy_LIMITED_API=0x030B0000")
     if sys.platform == "darwin":
         flags += ["-undefined", "dynamic_lookup"]
-    library = compile_shared(folder / "c", "core", package, compiler=compiler, flags=tuple(flags), more=(f"{name}.c",))
-    library.rename(package / f"_core{EXTENSION_SUFFIXES[-1]}")
+    compile_shared(folder / "c", "_core", package, compiler=compiler, flags=tuple(flags), more=(f"{name}.c",))
     return package
 
 

@@ -65,7 +65,7 @@ def load(
     if f"{schedule.name}.c" in sources:
         progress("compiling the C")
         library = _compiled(schedule, folder / f"{schedule.name}.c", ledger, versions)
-    if f"{schedule.name}-solver/c/core.c" in sources:
+    if f"{schedule.name}-solver/c/_core.c" in sources:
         progress("building the package")
         place = _built(schedule, folder / f"{schedule.name}-solver", ledger, versions)
         if place is not None:

@@ -15,7 +15,7 @@ FILES = {
     "latex": ("{0}.tex",),
     "extension": tuple(
         "{0}-solver/" + path
-        for path in """pyproject.toml setup.py README.md c/core.c c/{0}.c c/{0}.h src/{0}/__init__.py
+        for path in """pyproject.toml setup.py README.md c/_core.c c/{0}.c c/{0}.h src/{0}/__init__.py
         src/{0}/_arguments.py src/{0}/_arguments.pyi
         src/{0}/_core.pyi src/{0}/py.typed""".split()
     ),

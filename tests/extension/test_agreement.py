@@ -105,7 +105,7 @@ def test_laws_see_a_wrong_package() -> None:
     found = derivation("planar_rr")
     schedule = build_schedule(found)
     files = rendered(found, schedule, ("extension",))
-    core, package = "planar_rr-solver/c/core.c", "planar_rr-solver/src/planar_rr/__init__.py"
+    core, package = "planar_rr-solver/c/_core.c", "planar_rr-solver/src/planar_rr/__init__.py"
     for path, old, new, law in (
         (core, "memcpy(&q[marks[k].branch * JOINTS]", "memcpy(&q[0]", "ik and ik_batch agree"),
         (core, "PyMODINIT_FUNC", "PyMODINIT_FUNCTION", "the package can be built"),

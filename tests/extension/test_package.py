@@ -88,14 +88,14 @@ def test_check_looks_at_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     assert main(["derive", PLANAR, "--target", "extension", "--quiet", "-o", str(tmp_path)]) == 0
     assert main(["check", str(tmp_path)]) == 0
     assert "extension" in capsys.readouterr().out
-    core = tmp_path / f"{PLANAR}-solver" / "c" / "core.c"
+    core = tmp_path / f"{PLANAR}-solver" / "c" / "_core.c"
     text = core.read_text()
     core.write_text(text.replace("function(&from[k * JOINTS]", "function(&from[0]"))
     assert main(["check", str(tmp_path)]) == 1
-    assert "core.c is not what kinsym would write" in capsys.readouterr().err
+    assert "_core.c is not what kinsym would write" in capsys.readouterr().err
     core.unlink()
     assert main(["check", str(tmp_path)]) == 1
-    assert "core.c is missing" in capsys.readouterr().err
+    assert "_core.c is missing" in capsys.readouterr().err
 
 
 def test_every_file_is_announced() -> None:
@@ -103,6 +103,24 @@ def test_every_file_is_announced() -> None:
     for target in FILES:
         found = derivation(PLANAR)
         assert list(rendered(found, build_schedule(found), (target,))) == file_names(PLANAR, (target,))
+
+
+@pytest.mark.parametrize("name", ["core", "c", "src", "build", "py"])
+def test_names_of_its_own_files(name: str, tmp_path: Path) -> None:
+    """A robot may be called as a file or folder of the package is; it is built and checked."""
+    table = ["--dh", "0 l1 0 theta1", "--convention", "paul", "--bind", "l1=0.4", "--name", name]
+    assert main(["derive", *table, "--target", "extension", "--quiet", "-o", str(tmp_path)]) == 0
+    checks = json.loads((tmp_path / f"{name}.report.json").read_text())["checks"]
+    assert {"law": "the package can be built", "subject": "extension"}.items() <= checks[0].items()
+
+
+@pytest.mark.parametrize("name", ["numpy", "setuptools", "pip", "math"])
+def test_names_of_packages_that_it_needs(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Installed, it would take their place."""
+    table = ["--dh", "0 l1 0 theta1", "--convention", "paul", "--name", name]
+    assert main(["derive", *table, "--target", "extension", "-o", str(tmp_path / "x")]) == 2
+    assert "the generated Python may need" in capsys.readouterr().err
+    assert not (tmp_path / "x").exists()
 
 
 def test_titles_stay_titles(tmp_path: Path) -> None:
@@ -120,7 +138,7 @@ def test_titles_stay_titles(tmp_path: Path) -> None:
             ast.parse(text)
     described = tomllib.loads(texts["hostile-solver/pyproject.toml"])["project"]["description"]
     assert described == f"Kinematics of {title}"
-    assert texts["hostile-solver/c/core.c"].count("*/") == texts["hostile-solver/c/core.c"].count("/*")
+    assert texts["hostile-solver/c/_core.c"].count("*/") == texts["hostile-solver/c/_core.c"].count("/*")
 
 
 def test_a_package_that_was_not_built(tmp_path: Path) -> None:

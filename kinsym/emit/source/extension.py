@@ -20,12 +20,12 @@ from kinsym.emit.source.numpy_source import code, constants
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.wrapping import WIDTH
 
-#: The files below the folder of the package and their templates; the C core comes to them.
+#: The files below the folder of the package and their templates; NAME.c and NAME.h come to them. No name begins with _.
 _TEMPLATES = {
     "pyproject.toml": "pyproject.toml",
     "setup.py": "setup.py",
     "README.md": "README.md",
-    "c/core.c": "core.c",
+    "c/_core.c": "core.c",
     "src/{name}/__init__.py": "package.py",
     "src/{name}/_arguments.py": "arguments.py",
     "src/{name}/_arguments.pyi": "arguments.pyi",

@@ -134,6 +134,9 @@ def _line(bench: Bench, function: str) -> Group:
 
 def _python(material: Material, arm: str) -> Group:
     own = material.free[arm]
+    goals = [Goal(entry=EAIK, ratio=1.5)]
+    if arm != GENERAL:
+        goals.append(Goal(entry=TOOLBOX, ratio=5.0, over=MODULE))
     return Group(
         title="Python, all solutions of one pose",
         arm=arm,
@@ -148,7 +151,7 @@ def _python(material: Material, arm: str) -> Group:
             _asked(material, "OPW", arm, "opw", SOME),
             _asked(material, "UR", arm, "ur", SOME),
         ),
-        goals=(Goal(entry=EAIK, ratio=1.5), Goal(entry=TOOLBOX, ratio=5.0, over=MODULE)),
+        goals=tuple(goals),
     )
 
 

@@ -18,11 +18,15 @@ from tests.benchmarks.speed.arms import ARMS, Arm, Floats
 from tests.benchmarks.speed.peers import Refused
 
 
+#: A sliding joint must have limits, though nobody asks for them here.
+SLIDE = [-1.0, 1.0]
+
+
 def _robot(arm: Arm) -> DHRobot:
     links = [
         RevoluteDH(alpha=row.alpha, a=row.a, d=row.d, offset=row.theta)
         if row.kind == "R"
-        else PrismaticDH(alpha=row.alpha, a=row.a, theta=row.theta, offset=row.d)
+        else PrismaticDH(alpha=row.alpha, a=row.a, theta=row.theta, offset=row.d, qlim=SLIDE)
         for row in arm.rows
     ]
     return DHRobot(links, name=arm.name)
