@@ -63,6 +63,7 @@ def test_nothing_is_kept(case: str) -> None:
         return tracemalloc.get_traced_memory()[0] - start
 
     outcome(lambda: CALLS[case](package))
+    gc.collect()
     before = references(*watched)
     tracemalloc.start()
     try:

@@ -17,7 +17,6 @@ from roboticstoolbox import DHRobot, PrismaticDH, RevoluteDH
 from tests.benchmarks.speed.arms import ARMS, Arm, Floats
 from tests.benchmarks.speed.peers import Refused
 
-
 #: A sliding joint must have limits, though nobody asks for them here.
 SLIDE = [-1.0, 1.0]
 
