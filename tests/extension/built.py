@@ -79,13 +79,21 @@ def outcome(call: Callable[[], Any]) -> Any:
         return type(error), str(error)
 
 
-def same(one: Any, other: Any, tolerance: float = 1e-9) -> bool:
-    """Whether two outcomes are equal but for rounding: arrays in shape, type and value, the rest exactly."""
+def same(one: Any, other: Any, tolerance: float = 1e-9, *, turns: bool = False) -> bool:
+    """Whether two outcomes are equal but for rounding: arrays in shape, type and value, the rest exactly.
+
+    With ``turns`` numbers may differ by whole turns: rounding decides on which side of pi an angle of pi comes out.
+    """
     if isinstance(one, np.ndarray) and isinstance(other, np.ndarray):
-        alike = one.shape == other.shape and one.dtype == other.dtype
-        return alike and np.allclose(one, other, rtol=0, atol=tolerance, equal_nan=True)
+        if one.shape != other.shape or one.dtype != other.dtype:
+            return False
+        if turns and one.dtype == np.float64:
+            one = one - 2.0 * np.pi * np.round((one - other) / (2.0 * np.pi))
+        return np.allclose(one, other, rtol=0, atol=tolerance, equal_nan=True)
     if isinstance(one, tuple) and isinstance(other, tuple):
-        return len(one) == len(other) and all(same(a, b, tolerance) for a, b in zip(one, other, strict=True))
+        return len(one) == len(other) and all(
+            same(a, b, tolerance, turns=turns) for a, b in zip(one, other, strict=True)
+        )
     return type(one) is type(other) and one == other
 
 
