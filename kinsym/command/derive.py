@@ -4,15 +4,11 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from kinsym.check.report import FAILED, NOT_RUN, SUFFIX, Check, Report
 from kinsym.command.screen import Screen
 from kinsym.command.table import robot_of, say_notes
 from kinsym.write import check_place, write_set
-
-if TYPE_CHECKING:
-    from kinsym.emit.schedule import Schedule
 
 
 def derive(options: argparse.Namespace, screen: Screen) -> int:
@@ -42,8 +38,8 @@ def derive(options: argparse.Namespace, screen: Screen) -> int:
 
         findings = compare(derivation.robot, schedule, sources, screen.stage)
     report = report_of(derivation.robot, schedule, sources, findings)
-    say_operations(schedule, screen)
     paths = write_set(folder, {**sources, robot.name + SUFFIX: report.text()})
+    say_operations(report, screen)
     say_checks(report, screen)
     screen.say("Written")
     screen.say("-------")
@@ -52,16 +48,16 @@ def derive(options: argparse.Namespace, screen: Screen) -> int:
     return verdict(report, folder, screen)
 
 
-def say_operations(schedule: Schedule, screen: Screen) -> None:
-    """What each generated function computes, counted exactly."""
-    from kinsym.emit.operations import operation_lines
+def say_operations(report: Report, screen: Screen) -> None:
+    """What each generated function computes, counted exactly; the solver that searches for roots has no count."""
+    from kinsym.emit.operations import Operations
 
     screen.say("Operations")
     screen.say("----------")
-    for line in operation_lines(schedule):
-        screen.say(f"  {line}")
-    if schedule.general:
-        screen.say("  ik        as many as its search for roots takes")
+    for key, name in (("forward", "fk"), ("inverse", "ik"), ("jacobian", "jacobian")):
+        counts = report.operations.get(key)
+        told = "as many as its search for roots takes" if counts is None else str(Operations(**counts))
+        screen.say(f"  {name:<9} {told}")
     screen.say()
 
 
