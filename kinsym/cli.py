@@ -15,6 +15,20 @@ from kinsym.errors import KinsymError
 
 TASKS = ("pose", "position", "orientation", "planar", "scara", "position_axis")
 CONVENTIONS = ("paul", "craig", "screw")
+METHODS = (
+    "loop_closure",
+    "craig",
+    "paul",
+    "screws",
+    "frames",
+    "workspace",
+    "screws_inverse",
+    "algebraic",
+    "geometric",
+    "half_angle",
+    "pieper",
+    "zyz",
+)
 TARGETS = ("numpy", "c", "latex", "extension")
 INTERRUPTED = 130
 
@@ -58,6 +72,7 @@ def parser() -> argparse.ArgumentParser:
     show = commands.add_parser("show", help="print the equations, write nothing", allow_abbrev=False)
     _add_table(show)
     show.add_argument("--full", action="store_true", help="with link transforms and Jacobian")
+    show.add_argument("--method", choices=METHODS, help="one method of the lecture instead, step by step")
 
     imported = commands.add_parser("import", help="write a chain of a URDF file as a robot file", allow_abbrev=False)
     imported.add_argument("file", metavar="FILE", help="a .urdf file")

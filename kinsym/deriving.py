@@ -14,7 +14,7 @@ from kinsym.emit.calibrate import calibrated
 from kinsym.emit.program import build_schedule
 from kinsym.errors import NoClosedForm
 from kinsym.general.plan import GeneralPlan
-from kinsym.general.select import general_plan
+from kinsym.general.select import general_plan, nonzero
 from kinsym.inverse.assemble import arm_size
 from kinsym.inverse.locks import check_redundancy
 from kinsym.inverse.search import derive_plan
@@ -65,4 +65,5 @@ def _general(derivation: Derivation, refusal: NoClosedForm, deadline: Deadline) 
     if general is None:
         return None
     general = replace(general, size=arm_size(derivation.chain))
-    return calibrated(build_schedule(replace(derivation, general=general)), deadline)
+    general = calibrated(build_schedule(replace(derivation, general=general)), deadline)
+    return general and replace(general, nonzero=nonzero(derivation.solved, general))

@@ -50,6 +50,16 @@ def test_choices_are_those_of_the_model() -> None:
     assert set(TARGETS) == set(FILES)
 
 
+def test_without_checks_nothing_loads_numpy(tmp_path: Path) -> None:
+    """It takes a tenth of the time of a derivation, and only what is checked needs numbers."""
+    code = (
+        "import sys; from kinsym.cli import main; "
+        f"assert main(['derive', '{PLANAR}', '--no-check', '--quiet', '-o', {str(tmp_path / PLANAR)!r}]) == 0; "
+        "assert 'numpy' not in sys.modules; assert 'jinja2' in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, cwd=Path(__file__).resolve().parent.parent)
+
+
 def test_derive_writes_five_files_and_says_so(kinsym: Run) -> None:
     """Progress on standard error; equations, checks and files on standard output; status 0."""
     assert kinsym("derive", PLANAR) == 0

@@ -127,7 +127,7 @@ def _compiled(schedule: Schedule, path: Path, ledger: Ledger, versions: dict[str
         versions["compiler"] = compiler_version(compiler)
         versions["flags"] = " ".join(FLAGS)
         library = ctypes.CDLL(str(compile_shared(path.parent, schedule.name, path.parent, compiler=compiler)))
-        for function in ("fk", "ik_near", "jacobian", "solve", "nearest"):
+        for function in ("fk", "fk_batch", "ik_near", "ik_batch", "jacobian", "solve", "nearest"):
             getattr(library, f"{schedule.name}_{function}")
     except (CheckFailed, OSError, AttributeError) as error:
         ledger.fail(COMPILE, C, str(error))

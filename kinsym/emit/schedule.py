@@ -9,10 +9,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kinsym.algebra.tree import Tree
+from kinsym.algebra.tree import ONE, Tree
 from kinsym.general.plan import GeneralPlan
 from kinsym.inverse.families import Family
-from kinsym.inverse.plan import Definition, Step
+from kinsym.inverse.plan import Definition, Nonzero, Step
 from kinsym.kinematics.singular import SingularSet
 from kinsym.robot.model import Task
 
@@ -94,6 +94,8 @@ class Schedule:
     branches    the names of the branches by their number, empty where the solutions have only numbers.
     meanings    what the words in these names mean, one sentence each.
     maximum     the largest number of solutions, the product of ``widths``.
+    lengths     the sum of the arm's constant lengths.
+    nonzero     what must not vanish for the inverse kinematics to be right, over parameters and constants.
     general     the plan of an arm without a closed form; ``inverse`` is empty then.
     """
 
@@ -120,6 +122,8 @@ class Schedule:
     general: GeneralPlan | None = None
     branches: tuple[str, ...] = ()
     meanings: tuple[str, ...] = ()
+    lengths: Tree = ONE
+    nonzero: tuple[Nonzero, ...] = ()
 
     @property
     def widths(self) -> tuple[int, ...]:

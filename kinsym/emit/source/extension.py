@@ -16,7 +16,8 @@ from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.banner import banner, c_comment, printable, python_docstring, python_string
 from kinsym.emit.source.c_source import c_source
 from kinsym.emit.source.control import control_names, python_limits
-from kinsym.emit.source.numpy_source import code, constants
+from kinsym.emit.source.numpy_source import constants
+from kinsym.emit.source.python_text import code
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.wrapping import WIDTH
 
@@ -76,7 +77,7 @@ def _names(schedule: Schedule) -> dict[str, Any]:
         "title": c_comment(schedule.title or schedule.name),
         "version": __version__,
         "description": _toml_string(f"Kinematics of {schedule.title or schedule.name}"),
-        "banner": [python_docstring(line) for line in banner(schedule)],
+        "banner": [python_docstring(line) for line in banner(schedule, shared=True)],
         "singular": [python_docstring(line) for line in singular_lines(schedule)],
         "joints": len(schedule.joints),
         "solutions": schedule.maximum,

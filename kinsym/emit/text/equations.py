@@ -32,7 +32,7 @@ from kinsym.emit.prose.wording import (
     sifting,
 )
 from kinsym.emit.text.general import general_steps
-from kinsym.emit.text.given import given, held
+from kinsym.emit.text.given import assumed, given, held
 from kinsym.emit.text.page import Page
 from kinsym.emit.text.singular import singular_poses
 from kinsym.inverse.cut import link_letter
@@ -196,6 +196,7 @@ def derivation_steps(derivation: Derivation, plan: Plan, page: Page | None = Non
     head = [page.prose(f"given: {TASKS[plan.task]}, as entries of T = [u v w p]")]
     head += given(robot, page)
     head += held(derivation, page)
+    head += assumed(plan, page)
     if (first, last) not in windows:
         head.append(f"  T_{first}_{last} = T")
     head.append(page.prose("T_i_j is the part of T that joints i+1 to j make"))
