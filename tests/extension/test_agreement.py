@@ -115,7 +115,7 @@ def test_laws_see_a_wrong_package() -> None:
     files = rendered(found, schedule, ("extension",))
     core, package = "planar_rr-solver/c/_core.c", "planar_rr-solver/src/planar_rr/__init__.py"
     for path, old, new, law in (
-        (core, "memcpy(&q[marks[k].branch * JOINTS]", "memcpy(&q[0]", "ik and ik_batch agree"),
+        (core, "memcpy(&q[marks[k].branch * JOINTS]", "memcpy(&q[0]", "FK(IK(T)) = T for every solution"),
         (core, "PyMODINIT_FUNC", "PyMODINIT_FUNCTION", "the package can be built"),
         (package, "_core.fk(q, l1, l2)", "_core.fk(q, l2, l1)", "forward kinematics equal the exact ones"),
         (package, "MAX_SOLUTIONS: Final = 2", "MAX_SOLUTIONS: Final = 3", "the module can be imported"),
