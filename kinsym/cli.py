@@ -30,7 +30,7 @@ METHODS = (
     "zyz",
     "decoupled",
 )
-TARGETS = ("numpy", "c", "latex")
+TARGETS = ("numpy", "c", "latex", "extension")
 INTERRUPTED = 130
 
 _DESCRIPTION = "Closed-form kinematics of serial robots: equations, NumPy and C that are checked against each other."
@@ -63,7 +63,10 @@ def parser() -> argparse.ArgumentParser:
     _add_table(derive)
     derive.add_argument("-o", "--output", metavar="DIR", help="where to write (default: ./NAME)")
     derive.add_argument(
-        "--target", action="append", choices=TARGETS, help="write this language only (repeatable; default: all)"
+        "--target",
+        action="append",
+        choices=TARGETS,
+        help="write this only (repeatable; default: numpy, c and latex); extension is a Python package around the C",
     )
     derive.add_argument("--no-check", action="store_true", help="write the files without checking them")
     derive.add_argument("--quiet", action="store_true", help="print errors only")

@@ -133,9 +133,9 @@ class Examination:
             answers[target.name] = answer
         uniform = self.samples.of(UNIFORM)
         hold_status(self.ledger, self.targets, answers, poses=self.poses, q=self.q, uniform=uniform, which=some)
-        if len(answers) > 1:
-            (left, first), (right, second) = answers.items()
-            self._agree(f"{left} and {right}", first, second, every)
+        for name in list(answers)[1:]:
+            own = next(iter(answers))
+            self._agree(f"{own} and {name}", answers[own], answers[name], every)
         for name, (q, count) in answers.items():
             self._agree(f"exact walk and {name}", oracle, (q[some], count[some]), some)
         self._count_solutions(next(iter(answers.values()))[1] if answers else None, oracle[1], some)

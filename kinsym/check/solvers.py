@@ -151,6 +151,12 @@ class NumpySolver:
         return True
 
 
+class ExtensionSolver(NumpySolver):
+    """A generated Python package, built and imported; its interface is that of the NumPy module."""
+
+    name = "extension"
+
+
 def _packed(q: Floats, valid: NDArray[np.bool_]) -> Solutions:
     order = np.argsort(~valid, axis=-1, kind="stable")
     packed = np.take_along_axis(np.where(valid[..., None], q, np.nan), order[..., None], axis=-2)

@@ -139,7 +139,7 @@ def check_variable(name: str, *, where: str) -> str:
 def check_robot_name(name: str, *, where: str) -> str:
     """``name`` itself if it can name a robot, its files, a Python module and C functions; RobotError otherwise."""
     fault = _general_fault(name)
-    if not fault and (name in sys.stdlib_module_names or name in {"numpy", "kinsym"}):
+    if not fault and (name in sys.stdlib_module_names or name in {"numpy", "kinsym", "setuptools", "pip"}):
         fault = "is a module that the generated Python may need"
     if not fault and name.lower() in _C_HEADERS:
         fault = "is a header of C"

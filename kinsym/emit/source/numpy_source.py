@@ -78,14 +78,14 @@ def numpy_source(schedule: Schedule) -> dict[str, str]:
         "code": code,
         "comment": comment,
     }
-    names |= _constants(schedule) | _signatures(schedule, inverse) | _helpers(inverse) | _regular(schedule, printer)
+    names |= constants(schedule) | _signatures(schedule, inverse) | _helpers(inverse) | _regular(schedule, printer)
     names["scalar"] = scalar_names(schedule, inverse, names["solving"]) if has_scalar_path(schedule) else None
     if schedule.general:
         names |= general_names(schedule, schedule.general, inverse, printer)
     return {f"{schedule.name}.py": render("numpy/module.py.jinja", **names)}
 
 
-def _constants(schedule: Schedule) -> dict[str, Any]:
+def constants(schedule: Schedule) -> dict[str, Any]:
     """What the module says about the robot."""
     values = [
         f'"{parameter.name}": {"None" if parameter.value is None else decimal(parameter.value)}'
