@@ -13,6 +13,7 @@ place of both rules. Whatever is read otherwise than written is a :class:`~kinsy
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -84,7 +85,7 @@ class Snapping:
         size, places = abs(cell), decimal_places(cell)
         agrees = self.places is not None and places is not None and self.places <= places
         allowed = max(self.within, Fraction(1, 10**places) if agrees and places is not None else Fraction(0))
-        exact = min(_COSINES, key=lambda cosine: abs(float(cosine - size)))
+        exact = min(_cosines(), key=lambda cosine: abs(float(cosine - size)))
         if abs(float(exact - size)) > float(allowed):
             return cell
         return exact if cell >= 0 else -exact
@@ -94,7 +95,12 @@ class Snapping:
         return 0 < abs(length) <= self.within * size
 
 
-_COSINES = tuple(sympy.cos(multiple * sympy.pi / PARTS_OF_PI) for multiple in range(PARTS_OF_PI // 2 + 1))
+@functools.cache
+def _cosines() -> tuple[Expr, ...]:
+    """The cosines of the special angles up to a right one."""
+    return tuple(sympy.cos(multiple * sympy.pi / PARTS_OF_PI) for multiple in range(PARTS_OF_PI // 2 + 1))
+
+
 ROUNDING = Snapping(within=Fraction(1, 10**6), places=4)
 EXACT = Snapping(within=Fraction(0))
 
