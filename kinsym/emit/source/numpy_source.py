@@ -12,12 +12,13 @@ from typing import Any, ClassVar
 from kinsym.algebra.tree import ZERO, Tree
 from kinsym.emit.environment import render
 from kinsym.emit.printer import Printer, decimal
-from kinsym.emit.schedule import Schedule
+from kinsym.emit.schedule import NominalStarts, Schedule
 from kinsym.emit.source.banner import banner, python_comment, python_docstring, python_string
 from kinsym.emit.source.control import control_names, python_limits
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import ANGLE, KERNELS, kernels_used
 from kinsym.emit.source.marks import numpy_marks
+from kinsym.emit.source.nominal import nominal_names
 from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, held_needs, inverse_needs, line_needs
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
@@ -80,6 +81,8 @@ def numpy_source(schedule: Schedule) -> dict[str, str]:
     names |= _constants(schedule) | _signatures(schedule, inverse) | _helpers(inverse)
     if schedule.general:
         names |= _general(schedule, schedule.general, inverse, printer)
+    if schedule.nominal:
+        names |= _nominal(schedule, schedule.nominal, printer)
     return {f"{schedule.name}.py": render("numpy/module.py.jinja", **names)}
 
 
@@ -194,6 +197,21 @@ def _array(values: Sequence[float]) -> str:
 def _row(values: Sequence[float]) -> str:
     """One row of a table of numbers, on as many lines as it takes."""
     return "\n".join(f"    {part}" for part in cut(f"[{', '.join(map(repr, values))}],", WIDTH - 4))
+
+
+def _nominal(schedule: Schedule, nominal: NominalStarts, printer: Printer) -> dict[str, Any]:
+    """The closed form that is asked first, and the helpers that it calls."""
+    starts = nominal_names(schedule, nominal, printer)
+    inputs = starts["inverse"].inputs
+    return {
+        **_helpers(starts["inverse"]),
+        "functions": functions_used(schedule) | functions_used(nominal.schedule),
+        "starts": {
+            **starts,
+            "head": head("_nominal_starts", ["M", *inputs]),
+            "call": f"_nominal_starts({', '.join(['M', *_looked_up(inputs)])})",
+        },
+    }
 
 
 def _helpers(inverse: InverseNeeds) -> dict[str, Any]:
