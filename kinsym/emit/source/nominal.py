@@ -20,7 +20,7 @@ from kinsym.emit.source.statements import KernelCall, inverse_views
 
 STEPS = 6
 """Newton's steps before a start is given up; two or three are usual."""
-SHRINK = 0.125
+SHRINK = 0.25
 """The largest share of the step before, of length 2 before the first, that is trusted."""
 LAST = 1e-7
 """A step this short, in radians and units of the arm, leaves its square."""
