@@ -100,6 +100,7 @@ def _nominal(schedule: Schedule, nominal: NominalStarts, printer: Printer) -> di
     pose = f"const double M[12], const {schedule.name}_params *p"
     return {
         "kernels": starts["kernels"],
+        "virtual": schedule.general is not None and schedule.general.virtual,
         "functions": functions_used(schedule) | functions_used(nominal.schedule) | {"wrap"},
         "starts": {
             **starts,
