@@ -25,7 +25,6 @@ from kinsym.kinematics.tasks import fitting_task
 from kinsym.robot.model import Robot, Task
 from kinsym.robot.stand_in import stand_in
 
-
 ASKEW = "axes that meet or are parallel in the nominal arm miss each other in this one, so that it has no closed form"
 """Why the general solver stands behind a nominal arm; the verdict of the search would name the least of the misses."""
 

@@ -10,8 +10,8 @@ import ctypes
 import json
 import re
 from dataclasses import dataclass, replace
-from functools import cache
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 from types import ModuleType
 
@@ -99,7 +99,7 @@ def joint_vectors(name: str, count: int, seed: int) -> np.ndarray:
 
 @pytest.mark.parametrize("name", ARMS)
 def test_no_solution_is_lost_at_random_poses(name: str) -> None:
-    """Against the general solver: some 6000 solutions an arm, and each reaches the pose to 1e-12 by the table itself."""
+    """Against the general solver: some 6000 solutions an arm; they reach the pose to 1e-12 by the table itself."""
     arm = solved(name)
     q = joint_vectors(name, 800, 1)
     poses = arm.module.fk(q)
@@ -115,11 +115,13 @@ def test_no_solution_is_lost_at_random_poses(name: str) -> None:
 
 
 @pytest.mark.parametrize("distance", [0.0, 1e-12, 1e-9, 1e-6, 1e-3, 1e-2])
-@pytest.mark.parametrize(("name", "joint", "values"), [("puma", 4, (0, np.pi)), ("ur10e", 4, (0, np.pi)), ("ur10e", 2, (0,))])
+@pytest.mark.parametrize(
+    ("name", "joint", "values"), [("puma", 4, (0, np.pi)), ("ur10e", 4, (0, np.pi)), ("ur10e", 2, (0,))]
+)
 def test_next_to_singular_poses_of_the_nominal_arm(
     name: str, joint: int, values: tuple[float, ...], distance: float
 ) -> None:
-    """Wrist and elbow: there the true arm has up to twelve solutions; of the known ones fewer than 1 in 100 is missed."""
+    """Wrist and elbow: there the true arm has up to twelve solutions; of the known ones 1 in 100 may be missed."""
     arm = solved(name)
     q = joint_vectors(name, 200, 7)
     q[:, joint] = np.random.default_rng(8).choice(values, len(q)) + distance

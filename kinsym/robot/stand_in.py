@@ -1,4 +1,4 @@
-"""The nominal arm that stands in for one that is off by real millimetres: its closed form gives Newton's method its starts.
+"""The nominal arm that stands in for one that is off by real millimetres: its closed form gives Newton's starts.
 
 Angles of the stand-in count from the x axes of its table. A calibrated arm adds some 1e-3 rad or more to each, which
 would stand in every equation as a sum of angles; here it is taken off the joint value once.
@@ -71,10 +71,11 @@ def stand_in(robot: Robot) -> StandIn:
     joints, offsets = [], {}
     for joint in near.nominal.joints:
         ahead = _ahead(joint)
-        if joint.variable is not None and joint.variable not in robot.locks and not (2 * ahead / pi).is_Integer:
+        if joint.variable is None or joint.variable in robot.locks or (2 * ahead / pi).is_Integer:
+            joints.append(joint)
+        else:
             offsets[joint.variable] = ahead
-            joint = replace(joint, theta=joint.theta - ahead)
-        joints.append(joint)
+            joints.append(replace(joint, theta=symbol(joint.variable)))
     return StandIn(
         true=bind(robot, values),
         nominal=replace(near.nominal, joints=tuple(joints)),
@@ -84,5 +85,7 @@ def stand_in(robot: Robot) -> StandIn:
 
 
 def _ahead(joint: Joint) -> Expr:
-    """What is added to the variable of a joint that turns; 0 for one that slides."""
-    return joint.theta - symbol(joint.variable) if joint.kind == "R" and joint.theta is not None else Integer(0)
+    """What is added to the variable of a joint that turns; 0 for other rows."""
+    if joint.kind != "R" or joint.variable is None or joint.theta is None:
+        return Integer(0)
+    return joint.theta - symbol(joint.variable)

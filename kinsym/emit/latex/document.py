@@ -265,7 +265,9 @@ def _context(derivation: Derivation) -> dict[str, Any]:
         "prime": "'" if writer.framed() else "",
         "long": derivation.long,
         "entries": () if derivation.long else writer.entries(),
-        "axes": () if derivation.long else writer.definitions(axis_definitions(derivation.forward, derivation.jacobian)),
+        "axes": ()
+        if derivation.long
+        else writer.definitions(axis_definitions(derivation.forward, derivation.jacobian)),
         "jacobian": () if derivation.long else writer.jacobian(),
         "singular_title": "Singular poses",
         "maximum": plan.maximum,

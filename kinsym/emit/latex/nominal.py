@@ -5,7 +5,18 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from kinsym.emit.latex.sentences import escape
-from kinsym.emit.prose.nominal import BESIDE, GUARANTEE, HEAD, NOMINAL, SINGULAR, TITLE, changes, difference, doubts, offsets
+from kinsym.emit.prose.nominal import (
+    BESIDE,
+    GUARANTEE,
+    HEAD,
+    NOMINAL,
+    SINGULAR,
+    TITLE,
+    changes,
+    difference,
+    doubts,
+    offsets,
+)
 
 if TYPE_CHECKING:
     from kinsym.derivation import Nominal

@@ -30,7 +30,7 @@ def doubts(band: Fraction) -> str:
     """When the general solver is asked instead."""
     return (
         "In doubt is a pose at which a root of the nominal arm is free, is on a border or misses one by less than"
-        f" {float(band):g} of its equation's unit, or at which a Newton step is not short of a quarter of the one before."
+        f" {float(band):g} of its equation's unit, or at which a Newton step is longer than a quarter of the one before."
         " There all solutions come from the general solver of this arm, which needs no nominal one."
     )
 
@@ -38,8 +38,8 @@ def doubts(band: Fraction) -> str:
 def difference(deviation: Deviation) -> str:
     """How far the arms are apart."""
     return (
-        "Its forward kinematics differs from that of this arm by at most "
-        f"{deviation.position:.1e} in position and {deviation.rotation:.1e} rad. Its table, in Paul's convention, differs in"
+        f"Its forward kinematics differs from that of this arm by at most {deviation.position:.1e} in position and"
+        f" {deviation.rotation:.1e} rad. Its table, in Paul's convention, differs in"
     )
 
 

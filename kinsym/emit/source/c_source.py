@@ -21,8 +21,8 @@ from kinsym.emit.source.control import c_limits, control_names
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import kernels_used
 from kinsym.emit.source.marks import c_marks
-from kinsym.emit.source.nominal import nominal_names
 from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
+from kinsym.emit.source.nominal import nominal_names
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
 from kinsym.emit.source.wrapping import WIDTH, cut, fill

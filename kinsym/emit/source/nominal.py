@@ -24,6 +24,8 @@ SHRINK = 0.25
 """The largest share of the step before, of length 2 before the first, that is trusted."""
 LAST = 1e-7
 """A step this short, in radians and units of the arm, leaves its square."""
+MISSED = 1e-10
+"""The square of the twist that may be missing before the last step: a short step far from the pose ends in a valley."""
 APART = 1e-3
 """Solutions nearer than this may be one, or two of three."""
 
@@ -47,6 +49,7 @@ def nominal_names(schedule: Schedule, nominal: NominalStarts, printer: Printer) 
         "tau": arm.tau,
         "near": nominal.band / arm.tau,
         "most": arm.maximum,
+        "lanes": arm.maximum + arm.maximum % 2,
         "depth": arm.depth,
         "shape": "".join(f"{width}, " for width in reversed(arm.widths)),
         "axes": list(range(arm.depth, -1, -1)),
@@ -56,6 +59,6 @@ def nominal_names(schedule: Schedule, nominal: NominalStarts, printer: Printer) 
         "steps": STEPS,
         "shrink": repr(SHRINK),
         "last": repr(LAST),
+        "missed": repr(MISSED),
         "apart": repr(APART),
     }
-

@@ -18,8 +18,8 @@ from kinsym.emit.source.control import control_names, python_limits
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import ANGLE, KERNELS, kernels_used
 from kinsym.emit.source.marks import numpy_marks
-from kinsym.emit.source.nominal import nominal_names
 from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, held_needs, inverse_needs, line_needs
+from kinsym.emit.source.nominal import nominal_names
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
 from kinsym.emit.source.wrapping import WIDTH, cut, fill

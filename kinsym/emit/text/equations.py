@@ -269,7 +269,7 @@ def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, f
     ``full`` adds the link transforms and the Jacobian; ``ascii`` writes ``+-`` for ``±``.
     """
     page = Page(width=width, ascii=ascii)
-    robot, plan = derivation.robot, derivation.plan
+    robot = derivation.robot
     title = one_line(robot.title) or robot.name
     sections = [
         f"{title}\n{'=' * len(title)}",

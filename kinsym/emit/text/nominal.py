@@ -16,7 +16,9 @@ def nominal_arm(nominal: Nominal, page: Page) -> str:
         page.prose(BESIDE),
         page.prose(doubts(found.band)),
         page.prose(GUARANTEE),
-        "\n".join([page.prose(difference(found.deviation)), "", page.columns([HEAD, *changes(found.deviation)], indent=4)]),
+        "\n".join(
+            [page.prose(difference(found.deviation)), "", page.columns([HEAD, *changes(found.deviation)], indent=4)]
+        ),
         *_offsets(nominal, page),
     ]
     return "\n\n".join(parts)
