@@ -30,7 +30,7 @@ def doubts(band: Fraction) -> str:
     """When the general solver is asked instead."""
     return (
         "In doubt is a pose at which a root of the nominal arm is free, is on a border or misses one by less than"
-        f" {float(band):g} of its equation's unit, or at which a Newton step is longer than a quarter of the one before."
+        f" {float(band):g} of its equation's unit, or at which a Newton step is longer than a quarter of the last one."
         " There all solutions come from the general solver of this arm, which needs no nominal one."
     )
 
