@@ -18,7 +18,9 @@ from types import ModuleType
 import numpy as np
 import pytest
 
+from kinsym.check import compare
 from kinsym.check.compiler import compile_shared, find_compiler
+from kinsym.check.poses import Counts
 from kinsym.check.solvers import CSolver, ExactSolver
 from kinsym.cli import main
 from kinsym.derivation import Derivation
@@ -254,7 +256,11 @@ def test_what_has_no_use_for_it_is_refused(robot: object, message: str) -> None:
     assert "nominal arm of" in str(caught.value)
 
 
-def test_the_command_writes_and_repeats_its_checks(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_writes_and_repeats_its_checks(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(compare, "SLOWLY", 4)
+    monkeypatch.setattr(compare, "FULL", Counts(uniform=60, quarter=24, singular=36, pair=8))
     command = ["derive", "--dh", PUMA, "--convention", "paul", "--name", "puma", "--exact", "--nominal"]
     assert main([*command, "--target", "numpy", "-o", str(tmp_path)]) == 0
     shown = capsys.readouterr().out
