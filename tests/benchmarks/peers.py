@@ -115,7 +115,7 @@ def compared(subjects: list[Subject], answers: dict[str, list[dict[str, Any]]], 
         given = {name: answer[number] for name, answer in answers.items()}
         good = {name: _good(item, answer) for name, answer in given.items() if "solutions" in answer}
         rng = np.random.default_rng(number)
-        oracle = multistart(item.screws, Task.POSE, item.poses[: item.ordinary], starts, rng)
+        oracle = multistart(item.screws, Task.POSE, item.q[: item.ordinary], starts, rng)
         there = [
             distinct(
                 item.screws, np.concatenate([item.q[row : row + 1], found, *(each[row] for each in good.values())])

@@ -65,10 +65,27 @@ def test_screws_reach_the_pose_of_the_table(robot: Robot) -> None:
 def test_starts_find_the_eight_solutions_of_a_puma() -> None:
     screws = Screws(load("puma560"))
     q = np.array([[0.4, -0.9, 0.3, 1.1, 0.8, -0.5]])
-    (found,) = multistart(screws, Task.POSE, screws.forward(q), 150, np.random.default_rng(1))
+    (found,) = multistart(screws, Task.POSE, q, 150, np.random.default_rng(1))
     assert len(found) == 8
     assert gaps(screws, q, found).min() < 1e-9
     assert np.abs(screws.forward(found) - screws.forward(q)).max() < 1e-10
+
+
+def test_starts_leave_a_locked_joint_where_it_is() -> None:
+    screws = Screws(load("kuka_iiwa"))
+    q = np.array([[0.3, 0.9, -0.4, 1.1, 0.8, -0.5, 0.7]])
+    (found,) = multistart(screws, Task.POSE, q, 150, np.random.default_rng(1))
+    assert screws.free.tolist().count(False) == 1
+    assert len(found) == 8
+    assert (found[:, ~screws.free] == q[:, ~screws.free]).all()
+
+
+@pytest.mark.parametrize("name", ["kuka_iiwa", "ufactory_xarm6"])
+def test_an_arm_with_a_lock_and_one_without_a_closed_form_lose_nothing(name: str) -> None:
+    result = measure(GALLERY, load(name), SMALL)
+    assert result.kind == {"kuka_iiwa": "closed form", "ufactory_xarm6": "degree 16"}[name]
+    assert result.there == result.found > 0
+    assert shortcomings([result]) == ["None."]
 
 
 def test_a_full_turn_apart_is_the_same() -> None:

@@ -24,6 +24,7 @@ from kinsym.check.laws import CLOSURE, PATH, Judge
 from kinsym.check.singular import volume_of, zeros
 from kinsym.check.solvers import CSolver, NumpySolver, Solver, TreeKinematics
 from kinsym.check.task import closure, sifted, task_jacobian
+from kinsym.derivation import Derivation
 from kinsym.deriving import derive
 from kinsym.emit import TARGETS
 from kinsym.emit.program import build_schedule
@@ -89,19 +90,21 @@ def measure(group: str, robot: Robot, effort: Effort) -> Result:
         )
     except (KinsymError, ArithmeticError, AssertionError, LookupError, TypeError, ValueError) as error:
         return Result(group=group, name=robot.name, kind="broken", reason=f"{type(error).__name__}: {error}")
-    most = max((step.branches for step in derivation.plan.steps), default=1)
-    result = Result(
-        group=group,
-        name=robot.name,
-        kind=f"degree {most}" if most > 2 else "closed form",
-        seconds=time.process_time() - start,
-    )
+    result = Result(group=group, name=robot.name, kind=kind_of(derivation), seconds=time.process_time() - start)
     with tempfile.TemporaryDirectory(prefix="kinsym-coverage-") as folder:
         values = parameters(robot)
         trial = Trial(robot, schedule, values, solver(schedule, values, Path(folder)), effort)
         trial.random_poses(result)
         trial.singular_poses(result)
     return result
+
+
+def kind_of(derivation: Derivation) -> str:
+    """ "closed form", or the degree of the polynomial that is solved."""
+    if derivation.plan is None:
+        return "degree 8" if derivation.general and derivation.general.suppressed else "degree 16"
+    most = max((step.branches for step in derivation.plan.steps), default=1)
+    return f"degree {most}" if most > 2 else "closed form"
 
 
 def parameters(robot: Robot) -> dict[str, Fraction]:
@@ -140,8 +143,8 @@ class Trial:
         """Every solution at random poses, against the oracle's and the known one."""
         q = self._uniform(self.effort.poses)
         poses = self.screws.forward(q)
-        answers, counts = self.solver.inverse(poses, np.zeros_like(q))
-        others = multistart(self.screws, self.schedule.task, poses, self.effort.starts, self.rng)
+        answers, counts = self.solver.inverse(poses, np.where(self.screws.free, 0.0, q))
+        others = multistart(self.screws, self.schedule.task, q, self.effort.starts, self.rng)
         result.copies += self.judge.copies(answers)
         for row, pose in enumerate(poses):
             own = answers[row, : counts[row]]
@@ -182,18 +185,19 @@ class Trial:
 
 
 def uniform(screws: Screws, count: int, rng: np.random.Generator) -> Floats:
-    """Joint vectors (count, n): angles in (-pi, pi), lengths up to the arm's size."""
-    return rng.uniform(-1.0, 1.0, (count, screws.count)) * np.where(screws.revolute, np.pi, screws.size)
+    """Joint vectors (count, n): angles in (-pi, pi), lengths up to the arm's size, held joints stay."""
+    drawn = rng.uniform(-1.0, 1.0, (count, screws.count)) * np.where(screws.revolute, np.pi, screws.size)
+    return np.where(np.isnan(screws.held), drawn, screws.held)
 
 
 def singular_vectors(screws: Screws, task: Task, rng: np.random.Generator) -> Iterator[tuple[int, float, Floats]]:
     """Joint vectors (k, n) at each distance from zeros of the task's Jacobian, with the joint moved to get there."""
 
     def volume(q: Floats) -> Floats:
-        return volume_of(task_jacobian(screws.jacobian(q), screws.forward(q), task, screws.size))
+        return volume_of(task_jacobian(screws.jacobian(q), screws.forward(q), task, screws.size)[..., screws.free])
 
     found, moved, _ = zeros(uniform(screws, BASES, rng), screws.revolute, screws.size, volume)
-    for joint in range(screws.count):
+    for joint in np.flatnonzero(screws.free).tolist():
         special = found[moved == joint][:KEPT]
         for distance in DISTANCES if len(special) else ():
             q = special.copy()

@@ -30,7 +30,8 @@ SAME = 1e-5
 class Screws:
     """Forward kinematics and Jacobian of a robot by successive screws, in float64 and vectorised.
 
-    ``size`` is the sum of the distances of the link frames, ``revolute`` a mask of the joints.
+    ``size`` is the sum of the distances of the link frames, ``revolute`` a mask of the joints, ``free`` one of
+    those that no lock holds. ``held`` has the values that the table gives to locked joints, NaN elsewhere.
     """
 
     def __init__(self, robot: Robot, parameters: Mapping[str, Fraction] | None = None) -> None:
@@ -38,6 +39,9 @@ class Screws:
         self._values = {**known, **(parameters or {})}
         self.revolute = np.array([joint.kind == "R" for joint in robot.moving])
         self.count = len(self.revolute)
+        self.free = np.array([joint.variable not in robot.locks for joint in robot.moving])
+        locks = [robot.locks.get(joint.variable or "") for joint in robot.moving]
+        self.held = np.array([np.nan if cell is None else self._number(cell) for cell in locks])
         self.axes, self.points, self.home = self._screws(robot)
         stations = [np.zeros(3), *self.points[self.revolute], self.home[:3, 3]]
         lengths = [float(np.linalg.norm(b - a)) for a, b in pairwise(stations)]
@@ -53,13 +57,16 @@ class Screws:
         return pose
 
     def jacobian(self, q: Floats) -> Floats:
-        """(..., n) joint vectors to (..., 6, n): linear rows first, for the point that is the origin of T."""
+        """(..., n) joint vectors to (..., 6, n): linear rows first, for the point that is the origin of T.
+
+        The column of a locked joint is zero, so that steps along the Jacobian leave it where it is.
+        """
         turn, shift, axes, points = self._along(q)
         end = (turn @ self.home[:3, 3]) + shift
         swept = np.cross(axes, end[..., None, :] - points)
         linear = np.where(self.revolute[:, None], swept, axes)
         angular = np.where(self.revolute[:, None], axes, 0.0)
-        return np.concatenate([linear, angular], axis=-1).swapaxes(-1, -2)
+        return np.concatenate([linear, angular], axis=-1).swapaxes(-1, -2) * self.free
 
     def _along(self, q: Floats) -> tuple[Floats, Floats, Floats, Floats]:
         """The motion of the last joint, and every axis and its point as moved by the joints before it."""
@@ -126,12 +133,16 @@ class Screws:
 
 
 def multistart(
-    screws: Screws, task: Task, poses: Floats, starts: int, rng: np.random.Generator
+    screws: Screws, task: Task, known: Floats, starts: int, rng: np.random.Generator
 ) -> list[NDArray[np.float64]]:
-    """The distinct solutions (k, n) that random starts lead to, for each of (m, 4, 4) poses."""
+    """The distinct solutions (k, n) that random starts lead to, for the pose of each joint vector of ``known`` (m, n).
+
+    Locked joints stand where ``known`` has them; nothing else is taken from it.
+    """
+    poses = screws.forward(known)
     ends = np.where(screws.revolute, np.pi, screws.size)
     q = rng.uniform(-1.0, 1.0, (len(poses), starts, screws.count)) * ends
-    q = q.reshape(-1, screws.count)
+    q = np.where(screws.free, q, known[:, None]).reshape(-1, screws.count)
     wanted = np.repeat(poses, starts, axis=0)
     owner = np.repeat(np.arange(len(poses)), starts)
     kept: list[tuple[NDArray[np.intp], Floats]] = []
