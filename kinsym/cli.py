@@ -1,4 +1,4 @@
-"""The command line: ``kinsym derive``, ``show``, ``import``, ``robots`` and ``check``.
+"""The command line: ``kinsym derive``, ``show``, ``import``, ``robots``, ``check`` and ``lecture``.
 
 Only the parser lives here, and it loads nothing that calculates, so that ``kinsym --help`` answers at once. Exit
 status: 0 done and checked, 1 no closed form or a check failed, 2 the input is wrong, 130 interrupted.
@@ -15,7 +15,22 @@ from kinsym.errors import KinsymError
 
 TASKS = ("pose", "position", "orientation", "planar", "scara", "position_axis")
 CONVENTIONS = ("paul", "craig", "screw")
-TARGETS = ("numpy", "c", "latex")
+METHODS = (
+    "loop_closure",
+    "craig",
+    "paul",
+    "screws",
+    "frames",
+    "workspace",
+    "screws_inverse",
+    "algebraic",
+    "geometric",
+    "half_angle",
+    "pieper",
+    "zyz",
+    "decoupled",
+)
+TARGETS = ("numpy", "c", "latex", "extension")
 INTERRUPTED = 130
 
 _DESCRIPTION = "Closed-form kinematics of serial robots: equations, NumPy and C that are checked against each other."
@@ -30,6 +45,7 @@ examples:
   kinsym import arm.urdf --tip-link tool0   the same as a robot file, to read and edit
   kinsym show ur5                           the equations only
   kinsym check out                          the checks again, on the files in ./out
+  kinsym lecture                            every equation of the lecture, derived and compared
 
 exit status: 0 done and checked; 1 no closed form, or a check failed; 2 the input is wrong
 """
@@ -47,7 +63,10 @@ def parser() -> argparse.ArgumentParser:
     _add_table(derive)
     derive.add_argument("-o", "--output", metavar="DIR", help="where to write (default: ./NAME)")
     derive.add_argument(
-        "--target", action="append", choices=TARGETS, help="write this language only (repeatable; default: all)"
+        "--target",
+        action="append",
+        choices=TARGETS,
+        help="write this only (repeatable; default: numpy, c and latex); extension is a Python package around the C",
     )
     derive.add_argument("--no-check", action="store_true", help="write the files without checking them")
     derive.add_argument("--quiet", action="store_true", help="print errors only")
@@ -55,6 +74,7 @@ def parser() -> argparse.ArgumentParser:
     show = commands.add_parser("show", help="print the equations, write nothing", allow_abbrev=False)
     _add_table(show)
     show.add_argument("--full", action="store_true", help="with link transforms and Jacobian")
+    show.add_argument("--method", choices=METHODS, help="one method of the lecture instead, step by step")
 
     imported = commands.add_parser("import", help="write a chain of a URDF file as a robot file", allow_abbrev=False)
     imported.add_argument("file", metavar="FILE", help="a .urdf file")
@@ -73,6 +93,14 @@ def parser() -> argparse.ArgumentParser:
     )
     check.add_argument("folder", metavar="DIR", help="a folder that kinsym derive has written")
     check.add_argument("--quiet", action="store_true", help="print errors only")
+
+    lecture = commands.add_parser(
+        "lecture", help="hold the lecture's equations against what kinsym derives", allow_abbrev=False
+    )
+    lecture.add_argument("system", metavar="SYSTEM", nargs="?", help="one system of the lecture (default: all)")
+    lecture.add_argument("--errata", action="store_true", help="list the lecture's mistakes with the reason")
+    lecture.add_argument("--markdown", action="store_true", help="print docs/lecture.md, the sections beside kinsym")
+    lecture.add_argument("--quiet", action="store_true", help="print errors only")
     return top
 
 
@@ -160,6 +188,10 @@ def _run(options: argparse.Namespace) -> int:
                 from kinsym.command.check import check
 
                 return check(options, screen)
+            case "lecture":
+                from kinsym.command.lecture import lecture
+
+                return lecture(options, screen)
             case _:
                 from kinsym.command.robots import robots
 
@@ -170,7 +202,7 @@ def _run(options: argparse.Namespace) -> int:
 
 def _suggest(given: list[str]) -> None:
     """Stop at a first word that is no command, with the nearest one, or the command that a table's name lacks."""
-    commands = ("derive", "show", "import", "robots", "check")
+    commands = ("derive", "show", "import", "robots", "check", "lecture")
     if not given or given[0].startswith("-") or given[0] in commands:
         return
     from kinsym.robot import gallery

@@ -14,7 +14,7 @@ from kinsym.emit.calibrate import calibrated
 from kinsym.emit.program import build_schedule
 from kinsym.errors import NoClosedForm, RobotError
 from kinsym.general.plan import GeneralPlan
-from kinsym.general.select import general_plan
+from kinsym.general.select import general_plan, nonzero
 from kinsym.inverse.assemble import arm_size
 from kinsym.inverse.locks import check_redundancy
 from kinsym.inverse.search import derive_plan
@@ -99,7 +99,7 @@ def _beside_nominal(robot: Robot, task: Task | None, deadline: Deadline) -> Deri
         _closed_form(derivation, deadline)
     except NoClosedForm:
         general = _general(derivation, ASKEW, deadline)
-        if general is None:
+        if general is None or general.gate:
             raise RobotError(
                 "Newton's steps need the general solver where they are in doubt, and it takes arms with six joints to"
                 " solve for, or with five for a position and an axis",
@@ -121,4 +121,5 @@ def _general(derivation: Derivation, why: str, deadline: Deadline) -> GeneralPla
     if general is None:
         return None
     general = replace(general, size=arm_size(derivation.chain))
-    return calibrated(build_schedule(replace(derivation, general=general)), deadline)
+    general = calibrated(build_schedule(replace(derivation, general=general)), deadline)
+    return general and replace(general, nonzero=nonzero(derivation.solved, general))

@@ -40,6 +40,12 @@ class NoClosedForm(KinsymError):
         super().__init__(verdict)
 
 
+class DoesNotApply(KinsymError):
+    """A method was asked for that does not fit the robot; the message says which axes, joints or rows are why."""
+
+    exit_status = 1
+
+
 class DeadlineExceeded(KinsymError):
     """The derivation took longer than the user allows; the message says what was reached."""
 

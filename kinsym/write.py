@@ -1,7 +1,8 @@
 """A set of files, all or none.
 
 Everything is written into a private folder beside the targets first; only then are the files moved into place, each
-in one step. What was there before comes back if a move fails. Files of other names are never touched.
+in one step. What was there before comes back if a move fails. Files of other names are never touched. A name may lead
+into sub-folders (``ur5-solver/setup.py``), never out of the folder.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ import os
 import shutil
 import tempfile
 from collections.abc import Iterable, Mapping
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 from kinsym.errors import OutputError
 
@@ -22,8 +23,8 @@ def check_place(folder: Path, names: Iterable[str]) -> None:
     missing. Called before a long calculation, so that a slip shows at once.
     """
     for name in names:
-        if Path(name).name != name or name in ("", ".", ".."):
-            raise OutputError(f"{name!r} is no plain file name. Choose a name without folders.")
+        if not _stays_inside(name):
+            raise OutputError(f"{name!r} is no file name below a folder. Choose a plain name.")
     if "\0" in str(folder):
         raise OutputError("the name of the folder holds a zero byte. Choose another with --output.")
     try:
@@ -39,8 +40,7 @@ def check_place(folder: Path, names: Iterable[str]) -> None:
         if not _writable(folder):
             raise OutputError(f"{folder} does not allow writing. Choose another folder with --output.")
         for name in names:
-            if (folder / name).is_dir():
-                raise OutputError(f"{folder / name} is a folder, so the file cannot be written. Rename the folder.")
+            _check_way(folder, name)
     except OSError as error:
         raise OutputError(f"{folder} cannot be used: {_reason(error)}. Choose another with --output.") from error
 
@@ -53,12 +53,13 @@ def write_set(folder: Path, files: Mapping[str, str]) -> tuple[Path, ...]:
     check_place(folder, files)
     made: list[Path] = []
     try:
-        made = _make(folder)
+        for place in dict.fromkeys((folder, *((folder / name).parent for name in files))):
+            made += _make(place)
         with tempfile.TemporaryDirectory(prefix=".kinsym-", dir=folder) as private:
             new, old = Path(private, "new"), Path(private, "old")
-            new.mkdir()
-            old.mkdir()
             for name, text in files.items():
+                for side in (new, old):
+                    (side / name).parent.mkdir(parents=True, exist_ok=True)
                 (new / name).write_text(text, encoding="utf-8", newline="\n")
             _move(new, old, folder, list(files))
     except OSError as error:
@@ -71,6 +72,24 @@ def write_set(folder: Path, files: Mapping[str, str]) -> tuple[Path, ...]:
                 path.rmdir()
         raise
     return tuple(folder / name for name in files)
+
+
+def _stays_inside(name: str) -> bool:
+    path = PurePosixPath(name)
+    return str(path) == name and bool(path.name) and ".." not in path.parts and not Path(name).anchor
+
+
+def _check_way(folder: Path, name: str) -> None:
+    """OutputError if a file is in the way of a sub-folder, a folder in the way of the file, or one cannot be used."""
+    path = folder / name
+    if path.is_dir():
+        raise OutputError(f"{path} is a folder, so the file cannot be written. Rename the folder.")
+    for above in PurePosixPath(name).parents[:-1]:
+        place = folder / above
+        if place.exists() and not place.is_dir():
+            raise OutputError(f"{place} is a file, so no folder can be made there. Choose another with --output.")
+        if place.exists() and not _writable(place):
+            raise OutputError(f"{place} does not allow writing. Choose another folder with --output.")
 
 
 def _make(folder: Path) -> list[Path]:

@@ -15,7 +15,7 @@ import pytest
 from kinsym import __version__
 from kinsym.check.report import FAILED, Check
 from kinsym.cli import CONVENTIONS, TARGETS, TASKS, main
-from kinsym.command.rendering import SUFFIXES
+from kinsym.command.rendering import FILES
 from kinsym.robot import gallery
 from kinsym.robot.model import Convention, Task
 
@@ -47,7 +47,17 @@ def test_choices_are_those_of_the_model() -> None:
     """The parser repeats the names of the model so as not to load it."""
     assert set(TASKS) == {task.value for task in Task}
     assert set(CONVENTIONS) == {convention.value for convention in Convention}
-    assert set(TARGETS) == set(SUFFIXES)
+    assert set(TARGETS) == set(FILES)
+
+
+def test_without_checks_nothing_loads_numpy(tmp_path: Path) -> None:
+    """It takes a tenth of the time of a derivation, and only what is checked needs numbers."""
+    code = (
+        "import sys; from kinsym.cli import main; "
+        f"assert main(['derive', '{PLANAR}', '--no-check', '--quiet', '-o', {str(tmp_path / PLANAR)!r}]) == 0; "
+        "assert 'numpy' not in sys.modules; assert 'jinja2' in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, cwd=Path(__file__).resolve().parent.parent)
 
 
 def test_derive_writes_five_files_and_says_so(kinsym: Run) -> None:
@@ -62,6 +72,24 @@ def test_derive_writes_five_files_and_says_so(kinsym: Run) -> None:
     report = json.loads((kinsym.folder / PLANAR / f"{PLANAR}.report.json").read_text())
     assert report["checked"] == "passed"
     assert report["figures"]["poses"] >= 1000
+
+
+def test_operations_are_told(kinsym: Run) -> None:
+    """The same counts on the terminal, in the report and in the head of each file; a search for roots has none."""
+    assert kinsym("derive", PLANAR, "--no-check") == 0
+    told = kinsym.out.partition("Operations\n----------\n")[2].partition("\n\n")[0].splitlines()
+    assert [line.split()[0] for line in told] == ["fk", "ik", "jacobian"]
+    # p = l1 (c1, s1) + l2 (c12, s12): four products, two sums, and theta1 + theta2 once in each expression
+    assert told[0] == "  fk        4 + -, 4 *, 2 sincos"
+    for suffix in (".py", ".c", ".h"):
+        text = (kinsym.folder / PLANAR / (PLANAR + suffix)).read_text()
+        assert told[0] in text
+        assert told[2] in text
+    report = json.loads((kinsym.folder / PLANAR / f"{PLANAR}.report.json").read_text())
+    assert set(report["operations"]) == {"forward", "inverse", "jacobian"}
+    assert (report["operations"]["forward"]["multiplications"], report["operations"]["forward"]["sincos"]) == (4, 2)
+    assert kinsym("derive", "fanuc_crx10ial", "--no-check", "-o", "crx") == 0
+    assert "  ik        as many as its search for roots takes\n" in kinsym.out
 
 
 def test_same_bytes_twice(kinsym: Run) -> None:

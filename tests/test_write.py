@@ -66,6 +66,32 @@ def test_a_failed_write_leaves_no_folder(tmp_path: Path, monkeypatch: pytest.Mon
     assert os.listdir(tmp_path) == []
 
 
+def test_sub_folders(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """They are made for their files, hold others' files as well, and go again if the set cannot be written."""
+    deep = {"a.py": "one\n", "x/y/b.py": "two\n", "x/c.py": "three\n"}
+    write_set(tmp_path, deep)
+    (tmp_path / "x" / "mine.txt").write_text("mine")
+    write_set(tmp_path, {**deep, "x/c.py": "four\n"})
+    assert contents(tmp_path) == {**deep, "x/c.py": "four\n", "x/mine.txt": "mine"}
+
+    def failing(*_: object, **__: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "replace", failing)
+    with pytest.raises(OutputError):
+        write_set(tmp_path, {"x/z/d.py": "five\n"})
+    assert contents(tmp_path) == {**deep, "x/c.py": "four\n", "x/mine.txt": "mine"}
+    assert not (tmp_path / "x" / "z").exists()
+
+
+def test_a_file_in_the_way_of_a_sub_folder(tmp_path: Path) -> None:
+    """Told before anything is written."""
+    (tmp_path / "x").write_text("file")
+    with pytest.raises(OutputError, match="is a file"):
+        write_set(tmp_path, {"a.py": "one\n", "x/b.py": "two\n"})
+    assert contents(tmp_path) == {"x": "file"}
+
+
 def test_a_file_in_the_way_of_the_folder(tmp_path: Path) -> None:
     """Told before anything is written."""
     (tmp_path / "x").write_text("file")
@@ -83,10 +109,10 @@ def test_a_folder_in_the_way_of_a_file(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["a.c"]
 
 
-@pytest.mark.parametrize("name", ["../a", "/etc/a", "x/y", "", "..", "."])
-def test_names_are_not_paths(tmp_path: Path, name: str) -> None:
+@pytest.mark.parametrize("name", ["../a", "/etc/a", "x/../../y", "x//y", "x/", "", "..", "."])
+def test_names_stay_inside(tmp_path: Path, name: str) -> None:
     """No name leads out of the folder."""
-    with pytest.raises(OutputError, match="no plain file name"):
+    with pytest.raises(OutputError, match="no file name below"):
         check_place(tmp_path, [name])
 
 

@@ -44,10 +44,18 @@ class _Writer:
             return self._flat(poly)
         groups = self.ring.collect(poly, pair)
         rest = groups.pop((0,) * len(pair), None)
+        if rest is not None and len(groups) == 1 and rest == -next(iter(groups.values())):
+            return self._versine(pair, next(iter(groups)), rest)
         terms = [_times(self._monomial(pair, key), self.write(groups[key])) for key in sorted(groups, reverse=True)]
         if rest is not None:
             terms.append(self.write(rest))
         return _positive_first(add(*terms))
+
+    def _versine(self, pair: Sequence[str], key: tuple[int, ...], factor: Poly) -> Tree:
+        """``factor (1 - c)``, as the lecture writes the translation of a screw displacement."""
+        inner = self.write(factor)
+        bracket = Sum((number(1), negated(self._monomial(pair, key))))
+        return negated(mul(negated(inner), bracket)) if negative(inner) else mul(inner, bracket)
 
     def _first_pair(self, poly: Poly) -> tuple[str, ...] | None:
         for name in self.ring.used(poly):

@@ -58,7 +58,8 @@ class Ring:
     def __init__(self, generators: Iterable[Generator]) -> None:
         self.generators = tuple(generators)
         self.ring = PolyRing([g.name for g in self.generators], QQ, lex)
-        self.index = {g.name: i for i, g in enumerate(self.generators)}
+        self._names = [g.name for g in self.generators]
+        self.index = {name: i for i, name in enumerate(self._names)}
         self.zero: Poly = self.ring.zero
         self.one: Poly = self.ring.one
         self._squares: dict[int, Poly] = {}
@@ -82,11 +83,11 @@ class Ring:
     def reduce(self, poly: Poly) -> Poly:
         """The normal form: no generator with a known square occurs to a power above one."""
         squares = self._squares
-        while any(max(monomial, default=0) > 1 for monomial in poly):
+        while squares and poly and max(map(max, poly)) > 1:
             result = self.ring.zero
             changed = False
-            for monomial, coefficient in poly.terms():
-                high = () if max(monomial, default=0) < 2 else [i for i in squares if monomial[i] > 1]
+            for monomial, coefficient in poly.items():
+                high = () if max(monomial) < 2 else [i for i in squares if monomial[i] > 1]
                 if not high:
                     _add_term(result, monomial, coefficient)
                     continue
@@ -96,7 +97,7 @@ class Ring:
                 for i in high:
                     rest[i] = monomial[i] % 2
                     factor *= squares[i] ** (monomial[i] // 2)
-                for shifted, product in factor.mul_term((tuple(rest), coefficient)).terms():
+                for shifted, product in factor.mul_term((tuple(rest), coefficient)).items():
                     _add_term(result, shifted, product)
             if not changed:
                 break
@@ -111,20 +112,16 @@ class Ring:
 
     def dot(self, left: Sequence[Poly], right: Sequence[Poly]) -> Poly:
         """The reduced sum of products."""
-        total = self.zero
+        total = None
         for x, y in zip(left, right, strict=True):
             if x and y:
-                total += x * y
-        return self.reduce(total)
+                product = y if x is self.one else x if y is self.one else x * y
+                total = product if total is None else total + product
+        return self.zero if total is None else self.reduce(total)
 
     def used(self, poly: Poly) -> tuple[str, ...]:
         """The names of the generators that occur, in the order of the ring."""
-        seen = [False] * len(self.generators)
-        for monomial in poly:
-            for i, exponent in enumerate(monomial):
-                if exponent:
-                    seen[i] = True
-        return tuple(g.name for g, present in zip(self.generators, seen, strict=True) if present)
+        return tuple(self._names[i] for i, exponents in enumerate(zip(*poly, strict=True)) if any(exponents))
 
     def collect(self, poly: Poly, names: Sequence[str]) -> dict[tuple[int, ...], Poly]:
         """The coefficients of the monomials in some generators; keys are exponents in the order of ``names``."""
@@ -144,7 +141,7 @@ class Ring:
     def evaluate(self, poly: Poly, values: Mapping[str, int]) -> int:
         """The value modulo PRIME; ``values`` holds every generator that occurs."""
         total = 0
-        for monomial, coefficient in poly.terms():
+        for monomial, coefficient in poly.items():
             term = residue(fraction(coefficient))
             for i, exponent in enumerate(monomial):
                 if exponent:

@@ -9,7 +9,7 @@ Names are plain identifiers. ``c23`` and ``s23`` are the cosine and sine of ``th
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -192,3 +192,26 @@ def mul(*factors: Tree) -> Tree:
     if number != 1 or not flat:
         flat.insert(0, Num(number))
     return flat[0] if len(flat) == 1 else Prod(tuple(flat))
+
+
+def replaced(tree: Tree, values: Mapping[str, Tree]) -> Tree:
+    """The tree with names replaced by other trees.
+
+    >>> replaced(Quot(Sym("a"), Sym("b")), {"b": Sym("d")})
+    Quot(numerator=Sym(name='a'), denominator=Sym(name='d'))
+    """
+    match tree:
+        case Sym(name):
+            return values.get(name, tree)
+        case Sum(terms):
+            return Sum(tuple(replaced(term, values) for term in terms))
+        case Prod(factors):
+            return Prod(tuple(replaced(factor, values) for factor in factors))
+        case Pow(base, exponent):
+            return Pow(replaced(base, values), exponent)
+        case Quot(numerator, denominator):
+            return Quot(replaced(numerator, values), replaced(denominator, values))
+        case Call(function, arguments):
+            return Call(function, tuple(replaced(argument, values) for argument in arguments))
+        case _:
+            return tree

@@ -52,8 +52,9 @@ def compile_shared(
     *,
     compiler: str | None = None,
     flags: tuple[str, ...] = FLAGS,
+    more: tuple[str, ...] = (),
 ) -> Path:
-    """Compile ``NAME.c`` of a folder to a shared library in another and return its path.
+    """Compile ``NAME.c`` of a folder, and ``more`` sources there, to a shared library in another and return its path.
 
     Raises CheckFailed, with the first lines of the compiler, if the source does not compile or there is no compiler.
     """
@@ -61,7 +62,7 @@ def compile_shared(
     if compiler is None:
         raise CheckFailed("no C compiler was found. Install gcc or clang, or name one in the variable CC")
     source_dir, library = Path(source_dir), Path(out_dir).resolve() / f"{name}.so"
-    command = [compiler, *flags, "-fPIC", "-shared", f"{name}.c", "-o", str(library), "-lm"]
+    command = [compiler, *flags, "-fPIC", "-shared", f"{name}.c", *more, "-o", str(library), "-lm"]
     finished = _run(command, source_dir)
     if finished.returncode != 0:
         said = "\n".join((finished.stderr or finished.stdout).splitlines()[:_LINES])

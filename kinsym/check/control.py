@@ -63,7 +63,7 @@ def hold_status(
     uniform: NDArray[np.bool_],
     which: NDArray[np.intp],
 ) -> None:
-    """The status of each language fits its answer, and both say the same of poses that are not next to a border."""
+    """The status of each language fits its answer, and all say the same of poses that are not next to a border."""
     said: dict[str, list[str]] = {}
     for target in targets:
         if target.name not in answers or not isinstance(target, NumpySolver | CSolver):
@@ -75,7 +75,7 @@ def hold_status(
         cases = list(malformed(poses[0]).values())
         wrong += sum(target.status(case, q[0]) != "not a pose" for case in cases)
         ledger.count(STATUS_LAW, target.name, len(which) + len(cases), wrong)
-    if len(said) > 1:
-        (left, first), (right, second) = said.items()
-        wrong = sum(a != b for a, b, plain in zip(first, second, uniform[which].tolist(), strict=True) if plain)
-        ledger.count(STATUS_AGREE_LAW, f"{left} and {right}", int(uniform[which].sum()), wrong)
+    for name in list(said)[1:]:
+        own, first = next(iter(said.items()))
+        wrong = sum(a != b for a, b, plain in zip(first, said[name], uniform[which].tolist(), strict=True) if plain)
+        ledger.count(STATUS_AGREE_LAW, f"{own} and {name}", int(uniform[which].sum()), wrong)

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from kinsym import __version__
 from kinsym.check.deviation import recorded
+from kinsym.check.figures import singular_figures
 from kinsym.check.report import Report
-from kinsym.check.singular_set import singular_figures
 from kinsym.emit.operations import inverse_operations, line_operations
 from kinsym.emit.prose.nominal import label
 from kinsym.robot.locking import lock_text

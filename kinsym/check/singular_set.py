@@ -19,9 +19,7 @@ from kinsym.check.ledger import Ledger
 from kinsym.check.solvers import Solver
 from kinsym.check.task import task_jacobian
 from kinsym.check.walk import AT_THE_ORIGIN
-from kinsym.emit.prose.singular import family_conditions
 from kinsym.emit.schedule import Schedule, SingularPoses
-from kinsym.emit.text.formula import TextPrinter
 from kinsym.kinematics.singular import Condition
 from kinsym.robot.model import Task
 
@@ -156,36 +154,6 @@ def smallest(jacobian: Floats, pose: Floats, task: Task, size: float) -> Floats:
     """The smallest singular value of the task's Jacobian against the largest."""
     values = np.linalg.svd(task_jacobian(jacobian, pose, task, size), compute_uv=False)
     return np.asarray(values[..., -1] / np.maximum(values[..., 0], np.finfo(float).tiny))
-
-
-def singular_figures(schedule: Schedule) -> dict[str, Any]:
-    """The singular poses as the report holds them."""
-    if schedule.singular is None:
-        return {}
-    write = TextPrinter(ascii=True)
-    singular, families = schedule.singular.set, schedule.singular.families
-    return {
-        "determinant": write(singular.determinant) if singular.square else None,
-        "all_known": singular.exhaustive,
-        "conditions": [
-            {
-                "name": condition.meaning.name,
-                "zero": [write(value) for value in condition.values],
-                "meaning": condition.meaning.reason,
-            }
-            for condition in singular.listed
-        ],
-        "families": [
-            {
-                "where": family_conditions(family, write),
-                "free": family.free,
-                "constant": [write(tree) for tree in family.constant],
-                "follows": list(family.follows),
-                "equal_links_folded": family.folded,
-            }
-            for family in families
-        ],
-    }
 
 
 def _square(jacobian: Floats, poses: Floats, task: Task) -> Floats:

@@ -151,6 +151,12 @@ class NumpySolver:
         return True
 
 
+class ExtensionSolver(NumpySolver):
+    """A generated Python package, built and imported; its interface is that of the NumPy module."""
+
+    name = "extension"
+
+
 def _packed(q: Floats, valid: NDArray[np.bool_]) -> Solutions:
     order = np.argsort(~valid, axis=-1, kind="stable")
     packed = np.take_along_axis(np.where(valid[..., None], q, np.nan), order[..., None], axis=-2)
@@ -191,6 +197,11 @@ class CSolver:
         self._solve.argtypes, self._nearest.argtypes = [pointer] * 4, [pointer] * 7
         self._fk.argtypes = self._jacobian.argtypes = [pointer, pointer, pointer]
         self._ik.argtypes = [pointer] * 4
+        self._fk_batch = getattr(library, f"{schedule.name}_fk_batch")
+        self._ik_batch = getattr(library, f"{schedule.name}_ik_batch")
+        self._fk_batch.restype, self._ik_batch.restype = None, ctypes.c_int
+        self._fk_batch.argtypes = [pointer, ctypes.c_int, pointer, pointer]
+        self._ik_batch.argtypes = [pointer, ctypes.c_int, *[pointer] * (4 + len(self._places))]
 
     def forward(self, q: Floats) -> Floats:
         return self._each(self._fk, q, (4, 4))
@@ -209,6 +220,25 @@ class CSolver:
             count[row] = max(0, found)
             q[row, : count[row]] = np.where(np.isnan(buffer[: count[row]]), np.inf, buffer[: count[row]])
         return q, count
+
+    def forward_batch(self, q: Floats) -> Floats:
+        """``NAME_fk_batch`` of joint vectors (m, n)."""
+        q = np.ascontiguousarray(q)
+        poses = np.empty((len(q), 4, 4))
+        self._fk_batch(q.ctypes.data, len(q), self._given, poses.ctypes.data)
+        return poses
+
+    def inverse_batch(self, poses: Floats, reference: Floats) -> Solutions:
+        """``NAME_ik_batch``: inputs come from each row of the reference (m, n), free joints from its first.
+
+        The numbers of solutions are negative where a pose was refused.
+        """
+        poses, first = np.ascontiguousarray(poses), np.ascontiguousarray(reference[0])
+        values = [np.ascontiguousarray(reference[:, column]) for _, column in self._places]
+        q, counts = np.full((len(poses), self._most, self._n), np.nan), np.zeros(len(poses), dtype=np.intc)
+        arrays = [first, *values, q, counts]
+        self._ik_batch(poses.ctypes.data, len(poses), self._given, *(array.ctypes.data for array in arrays))
+        return np.where((np.arange(self._most) < counts[:, None])[..., None], q, np.nan), counts.astype(np.intp)
 
     def status(self, pose: Floats, reference: Floats) -> str:
         """What ``NAME_solve`` says of one pose (4, 4)."""

@@ -1,4 +1,4 @@
-"""Generated sources made ready to run: the module imported, the C compiled, both in a private folder."""
+"""Generated sources made ready to run: the module imported, C and package compiled, all in a private folder."""
 
 from __future__ import annotations
 
@@ -14,14 +14,16 @@ from typing import Any
 import numpy as np
 
 from kinsym.check.compiler import FLAGS, compile_shared, compiler_version, find_compiler
+from kinsym.check.extension import build, headers, load_package
 from kinsym.check.ledger import Ledger
-from kinsym.check.solvers import CSolver, NumpySolver, Solver
+from kinsym.check.solvers import CSolver, ExtensionSolver, NumpySolver, Solver
 from kinsym.emit.schedule import Schedule
 from kinsym.errors import CheckFailed
 
 IMPORT = "the module can be imported"
 COMPILE = "compiles without a warning"
-NUMPY, C = NumpySolver.name, CSolver.name
+BUILD = "the package can be built"
+NUMPY, C, EXTENSION = NumpySolver.name, CSolver.name, ExtensionSolver.name
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,6 +33,7 @@ class Sources:
     schedule: Schedule
     module: ModuleType | None
     library: ctypes.CDLL | None
+    package: ModuleType | None
     versions: dict[str, Any]
 
     def solvers(self, parameters: Mapping[str, Fraction]) -> list[Solver]:
@@ -40,6 +43,8 @@ class Sources:
             found.append(NumpySolver(self.module, self.schedule, parameters))
         if self.library is not None:
             found.append(CSolver(self.library, self.schedule, parameters))
+        if self.package is not None:
+            found.append(ExtensionSolver(self.package, self.schedule, parameters))
         return found
 
 
@@ -51,27 +56,51 @@ def load(
     What fails is recorded in the ledger as a failed law; a missing compiler as a law that was not run.
     """
     for name, text in sources.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text, encoding="utf-8", newline="\n")
     versions: dict[str, Any] = {"python": platform.python_version(), "numpy": np.__version__}
-    module, library = None, None
+    module, library, package = None, None, None
     if f"{schedule.name}.py" in sources:
-        module = _imported(schedule, folder / f"{schedule.name}.py", ledger)
+        module = _imported(schedule, folder / f"{schedule.name}.py", NumpySolver.load, NUMPY, ledger)
     if f"{schedule.name}.c" in sources:
         progress("compiling the C")
         library = _compiled(schedule, folder / f"{schedule.name}.c", ledger, versions)
-    return Sources(schedule=schedule, module=module, library=library, versions=versions)
+    if f"{schedule.name}-solver/c/_core.c" in sources:
+        progress("building the package")
+        place = _built(schedule, folder / f"{schedule.name}-solver", ledger, versions)
+        if place is not None:
+            package = _imported(schedule, place, load_package, EXTENSION, ledger)
+    return Sources(schedule=schedule, module=module, library=library, package=package, versions=versions)
 
 
-def _imported(schedule: Schedule, path: Path, ledger: Ledger) -> ModuleType | None:
+def _built(schedule: Schedule, folder: Path, ledger: Ledger, versions: dict[str, Any]) -> Path | None:
+    compiler, include = find_compiler(), headers()
+    if compiler is None or include is None:
+        missing = "C compiler" if compiler is None else "Python.h"
+        ledger.skip(BUILD, EXTENSION, f"no {missing} was found, so the package is written but not built")
+        return None
     try:
-        module = NumpySolver.load(path)
+        versions["compiler"] = compiler_version(compiler)
+        place = build(folder, schedule.name, compiler, include)
+    except (CheckFailed, OSError) as error:
+        ledger.fail(BUILD, EXTENSION, str(error))
+        return None
+    ledger.count(BUILD, EXTENSION, 1, 0)
+    return place
+
+
+def _imported(
+    schedule: Schedule, path: Path, load_from: Callable[[Path], ModuleType], subject: str, ledger: Ledger
+) -> ModuleType | None:
+    try:
+        module = load_from(path)
     except Exception as error:  # the file may hold anything by now
-        ledger.fail(IMPORT, NUMPY, f"{type(error).__name__}: {error}")
+        ledger.fail(IMPORT, subject, f"{type(error).__name__}: {error}")
         return None
     wanted = ("fk", "ik", "ik_batch", "jacobian", "solve", "nearest")
     missing = [name for name in wanted if not callable(getattr(module, name, None))]
     if missing:
-        ledger.fail(IMPORT, NUMPY, f"it has no {', '.join(missing)}")
+        ledger.fail(IMPORT, subject, f"it has no {', '.join(missing)}")
         return None
     expected = {
         "NAME": schedule.name,
@@ -83,9 +112,9 @@ def _imported(schedule: Schedule, path: Path, ledger: Ledger) -> ModuleType | No
     for name, value in expected.items():
         given = getattr(module, name, None)
         if (list(given or ()) if isinstance(value, list) else given) != value:
-            ledger.fail(IMPORT, NUMPY, f"its {name} is {given!r}, the table's is {value!r}")
+            ledger.fail(IMPORT, subject, f"its {name} is {given!r}, the table's is {value!r}")
             return None
-    ledger.count(IMPORT, NUMPY, 1, 0)
+    ledger.count(IMPORT, subject, 1, 0)
     return module
 
 
@@ -98,7 +127,7 @@ def _compiled(schedule: Schedule, path: Path, ledger: Ledger, versions: dict[str
         versions["compiler"] = compiler_version(compiler)
         versions["flags"] = " ".join(FLAGS)
         library = ctypes.CDLL(str(compile_shared(path.parent, schedule.name, path.parent, compiler=compiler)))
-        for function in ("fk", "ik_near", "jacobian", "solve", "nearest"):
+        for function in ("fk", "fk_batch", "ik_near", "ik_batch", "jacobian", "solve", "nearest"):
             getattr(library, f"{schedule.name}_{function}")
     except (CheckFailed, OSError, AttributeError) as error:
         ledger.fail(COMPILE, C, str(error))

@@ -32,7 +32,7 @@ def check(options: argparse.Namespace, screen: Screen) -> int:
 def _check_one(path: Path, screen: Screen) -> int:
     from kinsym.check.compare import compare
     from kinsym.check.reporting import report_of
-    from kinsym.command.rendering import rendered
+    from kinsym.command.rendering import FILES, rendered
     from kinsym.deriving import derive
     from kinsym.emit.program import build_schedule
 
@@ -41,7 +41,7 @@ def _check_one(path: Path, screen: Screen) -> int:
     screen.stage(f"deriving {robot.name}")
     derivation = derive(robot)
     schedule = build_schedule(derivation)
-    today = rendered(derivation, schedule)
+    today = rendered(derivation, schedule, tuple(FILES))
     sources: dict[str, str] = {}
     missing, foreign, edited = [], [], []
     for name, text in today.items():

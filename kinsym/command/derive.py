@@ -39,12 +39,26 @@ def derive(options: argparse.Namespace, screen: Screen) -> int:
         findings = compare(derivation.robot, schedule, sources, screen.stage)
     report = report_of(derivation.robot, schedule, sources, findings)
     paths = write_set(folder, {**sources, robot.name + SUFFIX: report.text()})
+    say_operations(report, screen)
     say_checks(report, screen)
     screen.say("Written")
     screen.say("-------")
     for path in paths:
         screen.say(f"  {path}")
     return verdict(report, folder, screen)
+
+
+def say_operations(report: Report, screen: Screen) -> None:
+    """What each generated function computes, counted exactly; the solver that searches for roots has no count."""
+    from kinsym.emit.operations import Operations
+
+    screen.say("Operations")
+    screen.say("----------")
+    for key, name in (("forward", "fk"), ("inverse", "ik"), ("jacobian", "jacobian")):
+        counts = report.operations.get(key)
+        told = "as many as its search for roots takes" if counts is None else str(Operations(**counts))
+        screen.say(f"  {name:<9} {told}")
+    screen.say()
 
 
 def say_checks(report: Report, screen: Screen) -> None:

@@ -9,16 +9,28 @@ if TYPE_CHECKING:
     from kinsym.derivation import Derivation
     from kinsym.emit.schedule import Schedule
 
-SUFFIXES = {"numpy": (".py",), "c": (".c", ".h"), "latex": (".tex",)}
+FILES = {
+    "numpy": ("{0}.py",),
+    "c": ("{0}.c", "{0}.h"),
+    "latex": ("{0}.tex",),
+    "extension": tuple(
+        "{0}-solver/" + path
+        for path in """pyproject.toml setup.py README.md c/_core.c c/{0}.c c/{0}.h src/{0}/__init__.py
+        src/{0}/_arguments.py src/{0}/_arguments.pyi
+        src/{0}/_core.pyi src/{0}/py.typed""".split()
+    ),
+}
+#: What is written where nobody asks for a language.
+USUAL = ("numpy", "c", "latex")
 
 
 def file_names(name: str, targets: Sequence[str] | None = None) -> list[str]:
-    """The files of a robot, in order; all targets if None.
+    """The files of a robot below the output folder, in order; those of the usual targets if None.
 
     >>> file_names("ur5", ("c",))
     ['ur5.c', 'ur5.h']
     """
-    return [name + suffix for target, ends in SUFFIXES.items() if _wanted(target, targets) for suffix in ends]
+    return [path.format(name) for target, paths in FILES.items() if target in (targets or USUAL) for path in paths]
 
 
 def rendered(derivation: Derivation, schedule: Schedule, targets: Sequence[str] | None = None) -> dict[str, str]:
@@ -27,14 +39,10 @@ def rendered(derivation: Derivation, schedule: Schedule, targets: Sequence[str] 
 
     texts: dict[str, str] = {}
     for target, source_of in TARGETS.items():
-        if _wanted(target, targets):
+        if target in (targets or USUAL):
             texts.update(source_of(schedule))
-    if _wanted("latex", targets):
+    if "latex" in (targets or USUAL):
         from kinsym.emit.latex import document
 
         texts[schedule.name + ".tex"] = document(derivation)
     return {name: texts[name] for name in file_names(schedule.name, targets)}
-
-
-def _wanted(target: str, targets: Sequence[str] | None) -> bool:
-    return not targets or target in targets

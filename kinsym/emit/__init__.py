@@ -10,10 +10,11 @@ from collections.abc import Callable
 
 from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.c_source import c_source
+from kinsym.emit.source.extension import extension_source
 from kinsym.emit.source.numpy_source import numpy_source
 
 Target = Callable[[Schedule], dict[str, str]]
 
-TARGETS: dict[str, Target] = {"numpy": numpy_source, "c": c_source}
+TARGETS: dict[str, Target] = {"numpy": numpy_source, "c": c_source, "extension": extension_source}
 
 __all__ = ["TARGETS", "Target"]

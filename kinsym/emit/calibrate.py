@@ -13,6 +13,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from kinsym.deadline import Deadline
+from kinsym.emit.live import live_module
 from kinsym.general.plan import Cut, GeneralPlan
 from kinsym.inverse.state import NO_LIMIT
 
@@ -62,7 +63,7 @@ def _scores(schedule: Schedule, deadline: Deadline) -> Callable[[int, int, int],
     """A function of a cut's number, a count of poses and a draw: minus the solutions found, and how good they are."""
     import numpy as np
 
-    module = _module(schedule)
+    module = live_module(schedule)
     rng = np.random.Generator(np.random.PCG64(SEED))
     parameters = {
         parameter.name: float(rng.uniform(0.1, 1.0) if parameter.value is None else parameter.value)
@@ -100,16 +101,3 @@ def _poses(module: ModuleType, parameters: dict[str, float], count: int, seed: i
     length = float(np.sqrt((links[1:6, :3, 3] ** 2).sum(axis=1)).mean())
     wanted = module._reached(q * np.where(module._SLIDING, REACH * length, np.pi), parameters)
     return wanted, module._lengths(wanted, parameters)
-
-
-def _module(schedule: Schedule) -> ModuleType:
-    """The generated module, run in memory.
-
-    Nothing of the user's words is in it but names that :mod:`kinsym.robot.names` has let through.
-    """
-    from kinsym.emit.source.numpy_source import numpy_source
-
-    (text,) = numpy_source(replace(schedule, name="calibrated", title="", table=())).values()
-    module = ModuleType("calibrated")
-    exec(compile(text, "calibrated", "exec"), module.__dict__)
-    return module

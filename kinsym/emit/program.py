@@ -7,13 +7,14 @@ what depends on theta1's branch once for each of its values, and so on.
 from __future__ import annotations
 
 from kinsym.algebra.convert import tree_of
-from kinsym.algebra.tree import ZERO, Call, Definition, Tree, symbols
+from kinsym.algebra.tree import ONE, ZERO, Call, Definition, Prod, Quot, Sym, Tree, mul, symbols
 from kinsym.derivation import Derivation, Nominal
 from kinsym.emit.frames import jacobian_by_frames
 from kinsym.emit.schedule import Assign, JointName, NominalStarts, Note, Parameter, Schedule, Solve, Statement
 from kinsym.emit.singular import singular_poses
 from kinsym.emit.straight import forward_line, jacobian_line
 from kinsym.emit.text.formula import TextPrinter
+from kinsym.inverse.assemble import constant_lengths
 from kinsym.inverse.plan import Item, Plan, Step, Window
 from kinsym.inverse.rules import TITLES
 from kinsym.robot.summary import digest, table_lines
@@ -56,6 +57,8 @@ def build_schedule(derivation: Derivation) -> Schedule:
         branches=derivation.branches.names,
         meanings=derivation.branches.meanings,
         nominal=_nominal(derivation.nominal, robot.variables) if derivation.nominal else None,
+        lengths=constant_lengths(chain),
+        nonzero=plan.nonzero,
     )
 
 
@@ -79,6 +82,7 @@ class _Levels:
         self._body: list[list[Statement]] = [[]]
         self._openers: list[list[Statement]] = []
         self._text = TextPrinter()
+        self._reciprocals: dict[Tree, str] = {}
 
     def place_all(self, plan: Plan) -> None:
         """Put the items of a plan and the sums of angles that are joint values."""
@@ -106,8 +110,9 @@ class _Levels:
     def assign(self, definition: Definition) -> None:
         """One assignment at the depth of its parts."""
         level = self._needs(definition.value)
+        value = self._without_division(definition.value, level)
         self._level[definition.name] = level
-        self._body[level].append(Assign(level=level, name=definition.name, value=definition.value))
+        self._body[level].append(Assign(level=level, name=definition.name, value=value))
 
     def statements(self) -> tuple[Statement, ...]:
         """All statements, level after level."""
@@ -117,6 +122,29 @@ class _Levels:
             if level < len(self._openers):
                 result += self._openers[level]
         return tuple(result)
+
+    def _without_division(self, value: Tree, level: int) -> Tree:
+        """A quotient as a product with a reciprocal, where that is known before the branch and serves all of them."""
+        match value:
+            case Quot(numerator, denominator) if self._needs(denominator) < level:
+                return mul(numerator, self._reciprocal(denominator))
+            case Prod(factors):
+                return mul(*(self._without_division(factor, level) for factor in factors))
+            case _:
+                return value
+
+    def _reciprocal(self, tree: Tree) -> Tree:
+        """The name of a reciprocal, which stands where what it is made of is known."""
+        if tree not in self._reciprocals:
+            name, level = f"reciprocal{len(self._reciprocals) + 1}", self._needs(tree)
+            self._reciprocals[tree], self._level[name] = name, level
+            here = Assign(level=level, name=name, value=Quot(ONE, tree))
+            opener = self._openers[level]
+            if {item.name for item in opener if isinstance(item, Assign)} & set(symbols(tree)):
+                opener.insert(len(opener) - 1, here)
+            else:
+                self._body[level].append(here)
+        return Sym(self._reciprocals[tree])
 
     def _needs(self, *trees: Tree) -> int:
         return max((self._level.get(name, 0) for tree in trees for name in symbols(tree)), default=0)
@@ -139,8 +167,12 @@ class _Levels:
         level = self.depth
         opener: list[Statement] = [Note(level=level, text=text)]
         for definition in step.coefficients:
+            if self._needs(definition.value) < level:
+                self.assign(definition)
+                continue
+            value = self._without_division(definition.value, level)
             self._level[definition.name] = level
-            opener.append(Assign(level=level, name=definition.name, value=definition.value))
+            opener.append(Assign(level=level, name=definition.name, value=value))
         self._openers.append([*opener, Solve(level=level, step=step)])
         self.depth += 1
         self._body.append([])

@@ -9,10 +9,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kinsym.algebra.tree import Tree
+from kinsym.algebra.tree import ONE, Tree
 from kinsym.general.plan import GeneralPlan
 from kinsym.inverse.families import Family
-from kinsym.inverse.plan import Definition, Step
+from kinsym.inverse.plan import Definition, Nonzero, Step
 from kinsym.kinematics.singular import SingularSet
 from kinsym.robot.model import Deviation, Task
 
@@ -109,6 +109,8 @@ class Schedule:
     meanings    what the words in these names mean, one sentence each.
     nominal     the closed form that is asked before the general solver, None where there is none.
     maximum     the largest number of solutions, the product of ``widths``.
+    lengths     the sum of the arm's constant lengths.
+    nonzero     what must not vanish for the inverse kinematics to be right, over parameters and constants.
     general     the plan of an arm without a closed form; ``inverse`` is empty then.
     """
 
@@ -136,6 +138,8 @@ class Schedule:
     branches: tuple[str, ...] = ()
     meanings: tuple[str, ...] = ()
     nominal: NominalStarts | None = None
+    lengths: Tree = ONE
+    nonzero: tuple[Nonzero, ...] = ()
 
     @property
     def widths(self) -> tuple[int, ...]:

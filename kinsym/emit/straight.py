@@ -12,6 +12,7 @@ from kinsym.algebra.nested import nested, number
 from kinsym.algebra.ring import Vector, apply
 from kinsym.algebra.tree import Call, Definition, Num, Sym, Tree, add, mul, negated, symbols
 from kinsym.emit.schedule import StraightLine
+from kinsym.emit.sharing import shared
 from kinsym.kinematics.chain import Chain
 from kinsym.kinematics.jacobian import Jacobian
 from kinsym.kinematics.moves import Moves
@@ -78,7 +79,7 @@ def with_angles(chain: Chain, definitions: list[Definition], outputs: tuple[Tree
             wanted.update(symbols(definition.value))
             kept.append(definition)
     head = [d for d in angle_functions(chain) if d.name in wanted]
-    return StraightLine(definitions=(*head, *reversed(kept)), outputs=outputs)
+    return shared(StraightLine(definitions=(*head, *reversed(kept)), outputs=outputs))
 
 
 def angle_functions(chain: Chain) -> Iterable[Definition]:

@@ -26,6 +26,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kinsym.algebra.tree import Tree
+from kinsym.inverse.plan import Nonzero
 from kinsym.robot.model import Task
 
 
@@ -106,11 +107,12 @@ class GeneralPlan:
     cuts        the best and, where there is one, a second that drops or goes round otherwise; empty for two sliding
                 joints.
     suppressed  for two sliding joints the revolute joints to go round from, best first; empty otherwise.
-    virtual     the sixth joint is no joint of the robot: it turns the tool about its own axis, which the task leaves
-                open, and is left out of the answer.
-    gate        the task fixes more than the joints can choose: a solution counts only if it reaches the pose.
+    virtual     the sixth joint is no joint of the robot: it turns the tool about an axis through its origin and is left
+                out of the answer. The axis is the tool's own, and the task leaves the turn open, or there is a gate.
+    gate        the task fixes more than the joints can choose: of the solutions with the sixth joint those count in
+                which it stands still, in the end with the robot's own joints alone.
     maximum     the largest number of solutions.
-    size, tau   as in :class:`kinsym.inverse.plan.Plan`.
+    nonzero, size, tau   as in :class:`kinsym.inverse.plan.Plan`.
     why         why there is no closed form.
     """
 
@@ -124,9 +126,15 @@ class GeneralPlan:
     virtual: bool = False
     gate: bool = False
     maximum: int = 16
+    nonzero: tuple[Nonzero, ...] = ()
     size: Tree
     tau: Fraction = Fraction(1, 2**46)
     why: str
+
+    @property
+    def spin(self) -> bool:
+        """Whether the task leaves the turn of the sixth joint open."""
+        return self.virtual and not self.gate
 
     @property
     def transforms(self) -> tuple[Link, ...]:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from itertools import product as pairs
 
 from kinsym.algebra.field import PRIME, angle_point, circle_point, inverse
 from kinsym.deadline import Deadline
-from kinsym.general.arm import JOINTS, Arm
+from kinsym.general.arm import JOINTS, NOTHING, Arm
 from kinsym.general.lines import AXIS, Motion, Vector, inverted, moved, product, spread
 from kinsym.general.plan import Cut
 from kinsym.general.tables import DEGREE
@@ -34,19 +34,30 @@ def candidates() -> Iterator[Cut]:
 
 def usable(arm: Arm, deadline: Deadline = NO_LIMIT) -> list[Cut]:
     """The cuts whose determinant has degree 8 and vanishes at the solutions alone, each in its mode."""
-    generator = random.Random("general")
-    links = arm.values(generator)
-    joints = [_Joint(kind, sign, generator) for kind, sign in zip(arm.kinds, arm.signs, strict=True)]
-    closing: Motion = joints[0].motion
-    for link, joint in zip(links, joints[1:], strict=False):
-        closing = product(product(closing, link), joint.motion)
-    links[-1] = inverted(closing)
+    links, joints = _loop(arm, NOTHING)
     found: list[Cut] = []
     for cut in candidates():
         deadline.note("no closed form, the ways round the loop are looked at")
         if (mode := _mode(cut, links, joints)) is not None:
             found.append(mode)
     return found
+
+
+def holds(arm: Arm, cut: Cut, given: Mapping[str, int]) -> bool:
+    """Whether a cut can be used in its mode also where the constants of the table are as given."""
+    return _mode(replace(cut, bordered=False), *_loop(arm, given)) == cut
+
+
+def _loop(arm: Arm, given: Mapping[str, int]) -> tuple[list[Motion], list[_Joint]]:
+    """The links of the loop that a random pose closes, and the joints at that pose."""
+    generator = random.Random("general")
+    links = arm.values(generator, given)
+    joints = [_Joint(kind, sign, generator) for kind, sign in zip(arm.kinds, arm.signs, strict=True)]
+    closing: Motion = joints[0].motion
+    for link, joint in zip(links, joints[1:], strict=False):
+        closing = product(product(closing, link), joint.motion)
+    links[-1] = inverted(closing)
+    return links, joints
 
 
 class _Joint:

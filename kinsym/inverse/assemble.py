@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from kinsym.algebra.nested import nested, number
@@ -163,12 +163,21 @@ def _writes(item: Item) -> tuple[str, ...]:
 
 def arm_size(chain: Chain) -> Tree:
     """The size of the arm: the sum of its constant lengths, and where it slides the pose's own coordinates."""
-    terms: list[Tree] = []
+    terms = list(_lengths(chain))
+    if any(joint.kind == "P" for joint in chain.joints):
+        terms += [Call("abs", (Sym(f"p_{row}"),)) for row in "xyz"]
+    return add(*terms) if terms else number(1)
+
+
+def constant_lengths(chain: Chain) -> Tree:
+    """The sum of the arm's constant lengths, 1 if it has none."""
+    terms = list(_lengths(chain))
+    return add(*terms) if terms else number(1)
+
+
+def _lengths(chain: Chain) -> Iterator[Tree]:
     for joint in chain.joints:
         for entry in joint.after.translation:
             if entry:
                 tree = nested(chain.ring, entry)
-                terms.append(tree if isinstance(tree, Num) and tree.value > 0 else Call("abs", (tree,)))
-    if any(joint.kind == "P" for joint in chain.joints):
-        terms += [Call("abs", (Sym(f"p_{row}"),)) for row in "xyz"]
-    return add(*terms) if terms else number(1)
+                yield tree if isinstance(tree, Num) and tree.value > 0 else Call("abs", (tree,))

@@ -13,7 +13,7 @@ from fractions import Fraction
 from kinsym.algebra.tree import Definition, Tree
 from kinsym.robot.model import Task
 
-__all__ = ["Definition", "Equation", "Item", "JointValue", "Plan", "Step", "Window"]
+__all__ = ["Definition", "Equation", "Item", "JointValue", "Nonzero", "Plan", "Step", "Window"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -92,13 +92,29 @@ class JointValue:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Nonzero:
+    """A constant of the table that must not vanish.
+
+    value       a parameter, the cosine or sine of a twist, or a factor of a denominator.
+    unit        1 for a length, which must exceed ``tau`` times the sum of the arm's lengths, 0 for a number, which must
+                exceed ``tau``; None for what must exceed 0.
+    parameters  the parameters that it depends on.
+    """
+
+    value: Tree
+    unit: int | None
+    parameters: tuple[str, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
 class Plan:
     """The inverse kinematics of one robot for one task.
 
     ``values`` has no entry for a locked joint.
     ``maximum`` is the product of the branches. ``gate`` tells that a pose may ask for more than the joints can choose,
     so that a solution counts only if its forward kinematics reaches it. ``size`` is the arm's length, the unit of
-    tolerances, and ``tau`` the accuracy to which a pose is taken as given.
+    tolerances, and ``tau`` the accuracy to which a pose is taken as given. ``nonzero`` is what must not vanish for the
+    plan to be right; where it does another one is.
     """
 
     task: Task
@@ -108,6 +124,7 @@ class Plan:
     gate: bool
     size: Tree
     tau: Fraction = Fraction(1, 2**46)
+    nonzero: tuple[Nonzero, ...] = ()
 
     @property
     def steps(self) -> tuple[Step, ...]:

@@ -12,6 +12,7 @@ from functools import cached_property
 
 from kinsym.algebra.ring import Kind, Poly
 from kinsym.inverse.cut import Cut
+from kinsym.inverse.products import Products
 from kinsym.inverse.state import State
 from kinsym.kinematics.angles import Angle
 
@@ -62,7 +63,8 @@ class Pool:
         if not self.state.oriented:
             pairs = [(first, stop) for first, stop in pairs if stop == count]
         pairs.sort(key=lambda pair: (pair[0] - pair[1], pair))
-        return [Cut(self.state, first, stop) for first, stop in [*pairs, (count, count)]]
+        products = Products(self.state)
+        return [Cut(products, first, stop) for first, stop in [*pairs, (count, count)]]
 
     def equations(self, cut: Cut) -> Iterator[PoolEquation]:
         """The equations of one pair of cuts that the given part of the pose can state."""

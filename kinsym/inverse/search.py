@@ -10,9 +10,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice
 
+from kinsym.algebra.tree import Sym
 from kinsym.deadline import Deadline
 from kinsym.errors import NoClosedForm
 from kinsym.inverse.assemble import assemble
+from kinsym.inverse.nonzero import nonzero
 from kinsym.inverse.plan import Item, Plan
 from kinsym.inverse.pool import Pool, PoolEquation
 from kinsym.inverse.rules import LAST_RULES, RULES, Rule
@@ -116,7 +118,9 @@ def _plan(chain: Chain, task: Task, deadline: Deadline, budget: int) -> tuple[Pl
     search = _Search(budget)
     items = search.run(state, Names(set(chain.ring.index)), (window,) if window else ())
     plan = None if items is None else assemble(chain, task, items)
-    if plan is None and task is Task.POSITION_AXIS and len(chain.joints) == FIXED[task]:
+    if plan is not None:
+        return replace(plan, nonzero=nonzero(chain, plan)), search.deepest or state
+    if task is Task.POSITION_AXIS and len(chain.joints) == FIXED[task]:
         plan = _with_spin(chain, deadline, budget)
     return plan, search.deepest or state
 
@@ -129,4 +133,8 @@ def _with_spin(chain: Chain, deadline: Deadline, budget: int) -> Plan | None:
     frame, entries = frame_about(names)
     state, window = start(spun, Task.POSE, deadline, entries)
     items = _Search(budget).run(state, names, (*frame, *((window,) if window else ())))
-    return None if items is None else without(assemble(spun, Task.POSE, items, unread=(name,)), chain, name)
+    if items is None:
+        return None
+    plan = assemble(spun, Task.POSE, items, unread=(name,))
+    aliases = {tree.name: entry for entry, tree in entries.items() if isinstance(tree, Sym)}
+    return replace(without(plan, chain, name), nonzero=nonzero(spun, plan, aliases))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from kinsym.algebra.field import PRIME, circle_point, turn
@@ -101,9 +102,9 @@ class Chain:
                 result.append(_group(self.ring, group.index, self.joints, inside, group.nodes[:count]))
         return tuple(result)
 
-    def sample(self, generator: random.Random) -> dict[str, int]:
-        """Random values modulo the prime for everything but the pose."""
-        values = self.constants.sample(generator)
+    def sample(self, generator: random.Random, given: Mapping[str, int] = MappingProxyType({})) -> dict[str, int]:
+        """Random values modulo the prime for everything but the pose, constants as :meth:`Constants.sample` says."""
+        values = self.constants.sample(generator, given)
         for joint in self.joints:
             if joint.kind == "P":
                 values[joint.variable] = generator.randrange(1, PRIME)

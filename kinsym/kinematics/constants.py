@@ -143,10 +143,14 @@ class Constants:
         return Add(*terms)
 
     def sample(self, generator: random.Random, given: Mapping[str, int] = MappingProxyType({})) -> dict[str, int]:
-        """Values modulo the prime: as given, exact where the field holds them, random points otherwise."""
+        """Values modulo the prime: as given, exact where the field holds them, random points otherwise.
+
+        ``given`` may hold parameters, and the cosine and the sine of an angle.
+        """
         values = {name: given.get(name, generator.randrange(1, PRIME)) for name in self.parameters}
         for expression, name in self.angles.items():
-            values["c" + name], values["s" + name] = _angle_value(expression, generator)
+            c, s = _angle_value(expression, generator)
+            values["c" + name], values["s" + name] = given.get("c" + name, c), given.get("s" + name, s)
         turns: dict[Expr, Point] = {}
         for expression, name in self.derived.items():
             values[name] = _derived_value(expression, turns, generator)

@@ -108,13 +108,18 @@ def _links(chain: Chain) -> list[Link]:
     ring, robot = chain.ring, chain.robot
     links = []
     for row, joint in enumerate(robot.joints, start=1):
-        transform = _screw(chain, joint, row) if robot.convention is Convention.SCREW else _denavit(chain, joint)
+        transform = link_transform(chain, joint, row)
         rows = tuple(
             (*(nested(ring, entry) for entry in line), nested(ring, moved))
             for line, moved in zip(transform.rotation, transform.translation, strict=True)
         )
         links.append(Link(name=f"A{row}", matrix=(*rows, (ZERO, ZERO, ZERO, ONE))))
     return links
+
+
+def link_transform(chain: Chain, joint: Joint, row: int) -> Rigid:
+    """The link transform of a row of the table, or the screw displacement of its joint."""
+    return _screw(chain, joint, row) if chain.robot.convention is Convention.SCREW else _denavit(chain, joint)
 
 
 def _denavit(chain: Chain, joint: Joint) -> Rigid:

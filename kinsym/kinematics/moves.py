@@ -16,16 +16,23 @@ class Moves:
     """The moves of one group, its angles given by ``turn`` (unknown generators, known ones, or sums of both)."""
 
     def __init__(self, ring: Ring, group: Group, turn: TurnOf) -> None:
-        self.ring, self.group, self._turn = ring, group, turn
+        self.ring, self.group, self._turn_of = ring, group, turn
+        self._turns: dict[tuple[int, int], tuple[Poly, Poly]] = {}
 
     def rotated(self, start: int, end: int, vector: Vector) -> Vector:
         """A vector turned about z by the angle from one node to another."""
-        c, s = self._turn(self.group.index, start, end)
         x, y, z = vector
         if not x and not y:
             return vector
+        c, s = self._turn(start, end)
         mul = self.ring.mul
         return mul(c, x) - mul(s, y), mul(s, x) + mul(c, y), z
+
+    def _turn(self, start: int, end: int) -> tuple[Poly, Poly]:
+        """Cosine and sine of the angle from one node to another; asked for many vectors, worked out once."""
+        if (start, end) not in self._turns:
+            self._turns[start, end] = self._turn_of(self.group.index, start, end)
+        return self._turns[start, end]
 
     @cached_property
     def reach(self) -> Vector:

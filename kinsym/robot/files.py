@@ -17,6 +17,7 @@ from kinsym.errors import RobotError
 from kinsym.robot.advice import advised
 from kinsym.robot.binding import bind, fold_zeros, used_parameters
 from kinsym.robot.dh_text import rows_from_inline
+from kinsym.robot.dimensions import check_dimensions
 from kinsym.robot.expressions import number
 from kinsym.robot.fixed import check_rigid, read_home, read_transform, table_under
 from kinsym.robot.locking import INPUT, lock
@@ -67,6 +68,7 @@ def from_draft(
     snapping: Snapping = ROUNDING,
 ) -> Robot:
     """The robot of a mapping with the keys of a robot file; ``where`` names its source in messages."""
+    check_dimensions(draft, where)
     check_keys(draft, KEYS, where=where)
     for key in ("name", "convention", "joints"):
         if key not in draft:

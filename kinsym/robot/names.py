@@ -43,7 +43,8 @@ _GENERATED = frozenset(
     isnan NEAR mark marks alike settle polish distance tidied special slopes step solutions given free border apart
     branch constant_motions direction homogeneous homogeneous2 linear links quadratic quartic quotient quotient_length
     rigid_motion triangle whole linux unix found solve within nearest weights limits status Solutions NamedTuple TURN
-    SLACK NAME TITLE JOINTS JOINT_TYPES PARAMETERS MAX_SOLUTIONS TASK LOCKED BRANCHES LIMITS""".split()
+    SLACK LANES block path opposite half_turn unwound larger NAME TITLE JOINTS JOINT_TYPES PARAMETERS
+    MAX_SOLUTIONS TASK LOCKED BRANCHES LIMITS""".split()
 )
 _PATTERNS = (
     (re.compile(r"theta\d+"), "such names are joint angles and their sums (theta23 is theta2 + theta3)"),
@@ -51,7 +52,8 @@ _PATTERNS = (
     (re.compile(r"[cs](alpha|theta)\w*"), "such names are cosines and sines of angles"),
     (re.compile(r"[uvwpzo]\d*_[xyz]|oE_[xyz]"), "such names are entries of poses and axes"),
     (re.compile(r"(kappa|lambda|mu|nu|gamma)\d+|const\d+"), "such names are coefficients of the derivation"),
-    (re.compile(r"[in]\d+|(real|mark)\d+|\w+_roots"), "such names count branches"),
+    (re.compile(r"[in]\d+|(real|mark)\d+|\w+_(roots|other)"), "such names count branches"),
+    (re.compile(r"lane_\w+|\w+_lanes"), "such names are functions and arrays of the generated source"),
     (re.compile(r"[hkw]_\d+(m\d+)*"), "such names are quantities of the derivation"),
     (re.compile(r"A\d+|T_\d+_\d+"), "such names are link transforms and poses"),
     (re.compile(r"(base|end)_[uvwp][xyz]"), "such names are entries of the base and of the last link with the tool"),
@@ -137,7 +139,7 @@ def check_variable(name: str, *, where: str) -> str:
 def check_robot_name(name: str, *, where: str) -> str:
     """``name`` itself if it can name a robot, its files, a Python module and C functions; RobotError otherwise."""
     fault = _general_fault(name)
-    if not fault and (name in sys.stdlib_module_names or name in {"numpy", "kinsym"}):
+    if not fault and (name in sys.stdlib_module_names or name in {"numpy", "kinsym", "setuptools", "pip"}):
         fault = "is a module that the generated Python may need"
     if not fault and name.lower() in _C_HEADERS:
         fault = "is a header of C"

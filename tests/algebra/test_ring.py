@@ -40,6 +40,24 @@ def polynomial(terms: list[tuple[int, list[int]]]) -> Poly:
     return total
 
 
+@given(st.lists(st.tuples(st.lists(TERM, max_size=3), st.lists(TERM, max_size=3)), max_size=4))
+def test_sum_of_products(pairs: list[tuple[list, list]]) -> None:
+    """Also where a factor is the one of the ring, which is left out, or zero."""
+    left = [RING.one, polynomial([(1, [0] * 7 + [1])]), RING.zero, *(RING.reduce(polynomial(x)) for x, _ in pairs)]
+    right = [RING["s1"], RING.one, RING.one, *(RING.reduce(polynomial(y)) for _, y in pairs)]
+    expected = RING.zero
+    for x, y in zip(left, right, strict=True):
+        expected += x * y
+    assert RING.dot(left, right) == RING.reduce(expected)
+    assert RING.dot([], []) == RING.zero
+
+
+def test_a_ring_of_numbers_alone() -> None:
+    """An arm of slides at right angles has no cosine, no length and no parameter."""
+    ring = Ring([])
+    assert ring.dot([ring.one, ring.number(2)], [ring.number(3), ring.number(4)]) == ring.number(11)
+
+
 def point(seed: int) -> dict[str, int]:
     """A random point of the variety."""
     generator = random.Random(seed)

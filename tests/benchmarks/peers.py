@@ -1,7 +1,7 @@
 """Peer libraries on the same arms and poses: EAIK, ssik, OPW (py-opw-kinematics) and ur-analytic-ik.
 
-``python -m tests.benchmarks.peers --setup`` installs them into an environment of their own; without it a line says that
-they are not installed. They see the joint axes at zero and the poses; the oracle of the coverage benchmark judges.
+``python -m tests.benchmarks.peers --setup`` installs them into an environment of their own (``environment.py``); a line
+says which are not there. They see the joint axes at zero and the poses; the oracle of the coverage benchmark judges.
 Only arms of six revolute joints are tried: the others are refused by all of them.
 """
 
@@ -12,7 +12,6 @@ import json
 import subprocess
 import sys
 import tempfile
-import venv
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -31,11 +30,10 @@ from tests.benchmarks.coverage.arms import CLASSES, arms
 from tests.benchmarks.coverage.measure import parameters, singular_vectors, solver
 from tests.benchmarks.coverage.oracle import SAME, Screws, distinct, gaps, multistart
 from tests.benchmarks.coverage.table import HEADING, PAGE, joined
+from tests.benchmarks.environment import FOLDER, interpreter, missing, setup
 
 Floats = NDArray[np.float64]
 
-ENVIRONMENT = Path(tempfile.gettempdir()) / "kinsym-peers"
-PACKAGES = ("eaik==1.2.2", "ssik==8.2.0", "py-opw-kinematics==1.3.0", "ur-analytic-ik==0.1.0.post3")
 PEERS = ("EAIK", "ssik", "OPW", "UR")
 WORKER = Path(__file__).with_name("peer_worker.py")
 SECONDS = 60
@@ -57,16 +55,6 @@ class Subject:
     ordinary: int
 
 
-def setup(folder: Path) -> bool:
-    """Make the environment and install the peers; False with a line if that cannot be done here."""
-    venv.create(folder, with_pip=True, clear=True)
-    command = [str(_python(folder)), "-m", "pip", "install", "--quiet", *PACKAGES]
-    finished = subprocess.run(command, capture_output=True, text=True, check=False)
-    if finished.returncode:
-        print(f"The peers cannot be installed: {finished.stderr.strip().splitlines()[-1]}", file=sys.stderr)
-    return finished.returncode == 0
-
-
 def subject(group: str, robot: Robot, poses: int, seed: int) -> Subject:
     """An arm with random joint vectors and with singular ones."""
     screws = Screws(robot, parameters(robot))
@@ -80,7 +68,7 @@ def subject(group: str, robot: Robot, poses: int, seed: int) -> Subject:
 def ask(peer: str, item: Subject, folder: Path) -> dict[str, Any]:
     """The peer's answer for one arm, in a process of its own that has :data:`SECONDS`."""
     job = {"peer": peer, "arms": [_description(item)]}
-    command = [str(_python(folder)), str(WORKER)]
+    command = [str(interpreter(folder)), str(WORKER)]
     try:
         finished = subprocess.run(
             command, input=json.dumps(job), capture_output=True, text=True, timeout=SECONDS, check=True
@@ -171,10 +159,6 @@ def _description(item: Subject) -> dict[str, Any]:
     }
 
 
-def _python(folder: Path) -> Path:
-    return folder / ("Scripts/python.exe" if sys.platform == "win32" else "bin/python")
-
-
 def report(folder: Path, *, poses: int, starts: int, each: int, seed: int) -> list[str]:
     """The lines of the section: gallery arms of six revolute joints and ``each`` random arms of each such class."""
     robots = [("gallery", load(name)) for name in gallery()]
@@ -182,10 +166,11 @@ def report(folder: Path, *, poses: int, starts: int, each: int, seed: int) -> li
     wanted = [(group, robot) for group, robot in robots if [joint.kind for joint in robot.moving] == ["R"] * SIX]
     subjects = [subject(group, robot, poses, seed) for group, robot in wanted]
     answers = {OWN: own(subjects)}
-    for peer in PEERS if _python(folder).exists() else ():
+    absent = missing(folder)
+    for peer in (name for name in PEERS if name not in absent):
         answers[peer] = [ask(peer, item, folder) for item in subjects]
-    missing = [] if len(answers) > 1 else ["The peers are not installed: `python -m tests.benchmarks.peers --setup`."]
-    return [*LEGEND, "", *missing, *compared(subjects, answers, starts)]
+    left_out = [f"Not asked: {name} ({absent[name]})." for name in PEERS if name in absent]
+    return [*LEGEND, "", *left_out, *compared(subjects, answers, starts)]
 
 
 LEGEND = (
@@ -199,7 +184,7 @@ def main() -> None:
     """Set up, or print the table."""
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.peers", description=__doc__)
     parser.add_argument("--setup", action="store_true", help="install the peers")
-    parser.add_argument("--environment", type=Path, default=ENVIRONMENT, help=f"where ({ENVIRONMENT})")
+    parser.add_argument("--environment", type=Path, default=FOLDER, help=f"where ({FOLDER})")
     parser.add_argument("--poses", type=int, default=5)
     parser.add_argument("--starts", type=int, default=200)
     parser.add_argument("--arms", type=int, default=1, help="random arms of each class (1)")
@@ -207,7 +192,7 @@ def main() -> None:
     parser.add_argument("--write", action="store_true", help=f"also write the section of {PAGE.name}")
     options = parser.parse_args()
     if options.setup:
-        sys.exit(0 if setup(options.environment) else 1)
+        sys.exit(1 if set(PEERS) & set(setup(options.environment)) else 0)
     numbers = {"poses": options.poses, "starts": options.starts, "arms": options.arms, "seed": options.seed}
     command = " ".join(["python -m tests.benchmarks.peers", *(f"--{key} {value}" for key, value in numbers.items())])
     lines = report(

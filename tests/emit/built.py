@@ -49,6 +49,7 @@ class CLibrary:
         if values is None:
             return None
         given = [values.get(item.name, item.value) for item in self.schedule.parameters]
+        given += [values.get(name, np.nan) for name in self.schedule.inputs]
         return _pointer(np.array([float(value) for value in given]))
 
     def _matrix(self, function: str, q: Any, shape: tuple[int, int], parameters: dict[str, float] | None) -> np.ndarray:
@@ -78,6 +79,35 @@ class CLibrary:
         assert count <= self.schedule.maximum
         assert (q[-1] == 99.0).all()
         return count, q[: max(count, 0)]
+
+    def fk_batch(self, q: Any, parameters: dict[str, float] | None = None) -> np.ndarray:
+        """What fk_batch writes for many joint vectors."""
+        q = np.array(q, dtype=float).reshape(-1, self.joints)
+        poses = np.full((len(q) + 1, 4, 4), 99.0)
+        self._call("fk_batch", _pointer(q), len(q), self._parameters(parameters), _pointer(poses))
+        assert (poses[-1] == 99.0).all()
+        return poses[:-1]
+
+    def ik_batch(
+        self,
+        T: Any,
+        reference: Any = None,
+        parameters: dict[str, float] | None = None,
+        values: tuple[np.ndarray | None, ...] = (),
+    ) -> tuple[int, np.ndarray, np.ndarray]:
+        """What ik_batch returns, the numbers of solutions and the solutions; what lies behind must stay as it was."""
+        T = np.array(T, dtype=float).reshape(-1, 16)
+        q = np.full((len(T) + 1, self.schedule.maximum, self.joints), 99.0)
+        counts = np.full(len(T) + 1, 99, dtype=np.int32)
+        near = None if reference is None else _pointer(np.array(reference, dtype=float))
+        values = values or (None,) * len(self.schedule.inputs)
+        given = [None if each is None else _pointer(each) for each in values]
+        reached = self._call(
+            "ik_batch", _pointer(T), len(T), self._parameters(parameters), near, *given, _pointer(q), counts.ctypes
+        )
+        assert (q[-1] == 99.0).all()
+        assert counts[-1] == 99
+        return reached, counts[:-1], q[:-1]
 
 
 @cache

@@ -74,7 +74,7 @@ def _schedule(name: str, table: str, task: Task, gate: bool) -> Schedule:
     robot = from_inline(table, convention="paul", name=name)
     chain = build_chain(robot)
     forward = forward_kinematics(chain)
-    arm = six_joints(chain)
+    arm = six_joints(chain, task)
     if arm is None:
         raise ValueError(f"{name} has neither five nor six joints")
     two_slides = arm.kinds.count("P") == 2

@@ -16,7 +16,7 @@ from kinsym.check.compiler import FLAGS, compile_shared, find_compiler
 from kinsym.emit import TARGETS
 from kinsym.emit.schedule import Schedule
 from kinsym.errors import CheckFailed
-from tests.emit.built import CLibrary, both, needs_compiler
+from tests.emit.built import CLibrary, both, needs_compiler, same_angles
 from tests.emit.schedules import every_kernel, planar_2r, polar, puma
 from tests.emit.test_numpy import joint_vectors, puma_poses
 
@@ -58,7 +58,17 @@ def test_agrees_with_numpy_at_random_poses(make: Callable[[], Schedule]) -> None
 def test_agrees_with_numpy_at_singular_poses(kind: str) -> None:
     module, library = both(puma)
     for q in puma_poses(kind, 100):
-        _same(module, library, q, q)
+        pose = module.fk(q)
+        count, solutions = library.ik(pose, q)
+        expected = module.ik(pose, reference=q)
+        if count == len(expected):
+            # Next to a singular pose digits of the angles are lost, in each language others, and none of the pose.
+            assert (same_angles(solutions, expected) < 0.1).all()
+        else:
+            # theta4 is free in one language, and has a twin in the other, where s5 is within rounding of tau.
+            assert 5e-15 < np.abs(np.sin([*solutions[:, 4], *expected[:, 4]])).min() < 4e-14
+        for solution in solutions:
+            np.testing.assert_allclose(library.fk(solution), pose, atol=1e-12)
 
 
 def _same(module: Any, library: CLibrary, q: np.ndarray, reference: np.ndarray | None) -> None:
@@ -68,7 +78,7 @@ def _same(module: Any, library: CLibrary, q: np.ndarray, reference: np.ndarray |
     count, solutions = library.ik(pose, reference)
     expected = module.ik(pose, reference=reference)
     assert count == len(expected)
-    np.testing.assert_allclose(solutions, expected, atol=1e-9)
+    assert (same_angles(solutions, expected) < 1e-9).all()  # pi may be next to -pi in the other language
 
 
 @pytest.mark.parametrize("reach", [1.2, 1.2 - 1e-9, 1.2 + 1e-11, 0.2, 0.2 - 1e-11, 5.0])

@@ -246,7 +246,9 @@ def test_five_joints_find_only_what_reaches_the_whole_pose() -> None:
         _, solutions = library.ik(pose)
         assert same_angles(solutions, q).min() < 1e-7
         for solution in solutions:
-            np.testing.assert_allclose(library.fk(solution), pose, atol=1e-8)
+            np.testing.assert_allclose(library.fk(solution), pose, atol=1e-12)
+        pose[0, 3] += 1e-6
+        assert library.status(pose) == 0
         pose[:3, :3] = pose[:3, :3] @ turned(0.1)
         assert library.status(pose) == 0
 

@@ -117,7 +117,7 @@ def test_shapes(lead: tuple[int, ...]) -> None:
     assert valid.shape == (*lead, 8)
     for place in np.ndindex(lead):
         one = PUMA.ik(poses[place], reference=q[place])
-        np.testing.assert_array_equal(one, solutions[place][valid[place]])
+        np.testing.assert_allclose(one, solutions[place][valid[place]], rtol=0, atol=1e-14)
 
 
 def test_blocks_do_not_show() -> None:
@@ -126,6 +126,28 @@ def test_blocks_do_not_show() -> None:
     tail, tail_valid = PUMA.ik_batch(poses[4090:4100])
     np.testing.assert_array_equal(q[4090:4100], tail)
     np.testing.assert_array_equal(valid[4090:4100], tail_valid)
+
+
+def test_special_poses_of_several_blocks_are_settled_as_alone() -> None:
+    known = joint_vectors(2 * PUMA._BLOCK + 100, 6)
+    places = np.array([0, 7, PUMA._BLOCK - 1, PUMA._BLOCK, 2 * PUMA._BLOCK + 50, 2 * PUMA._BLOCK + 99])
+    known[places] = np.concatenate([puma_poses("wrist", 3), puma_poses("elbow, nearly", 3)])
+    poses = PUMA.fk(known)
+    q, valid = PUMA.ik_batch(poses, reference=known)
+    assert np.isnan(q[~valid]).all()
+    for place in places:
+        alone = PUMA.solve(poses[place], reference=known[place])
+        np.testing.assert_array_equal(np.flatnonzero(valid[place]), alone.branch)
+        np.testing.assert_allclose(q[place][valid[place]], alone.q, rtol=0, atol=1e-13)
+
+
+def test_more_special_poses_than_a_block_holds() -> None:
+    known = np.repeat(puma_poses("wrist", 7), PUMA._BLOCK // 7 + 2, axis=0)
+    q, valid = PUMA.ik_batch(PUMA.fk(known), reference=known)
+    each = len(known) // 7
+    for kind in range(7):
+        np.testing.assert_array_equal(valid[kind * each : (kind + 1) * each], valid[[kind * each]].repeat(each, axis=0))
+    assert (np.where(valid, same_angles(np.nan_to_num(q), known[:, None]), np.inf).min(axis=1) < 1e-6).all()
 
 
 @pytest.mark.parametrize("module", [PUMA, PLANAR, POLAR], ids=lambda module: module.NAME)
@@ -203,6 +225,15 @@ def test_rotation_off_by_rounding_is_mended() -> None:
     assert np.median(found) < 1e-7
     closure = np.abs(PUMA.fk(np.where(valid[..., None], q, 0.0)) - poses[:, None]).max(axis=(-2, -1))
     assert closure[valid].max() < 1e-8
+
+
+def test_the_pose_that_is_mended_is_a_copy() -> None:
+    pose = PUMA.fk(np.full(6, 0.4))
+    pose[0, 0] += 1e-9
+    before = pose.copy()
+    for solve in (PUMA.ik, PUMA.ik_batch, PUMA.solve):
+        solve(pose)
+        np.testing.assert_array_equal(pose, before)
 
 
 def test_constants() -> None:

@@ -41,6 +41,18 @@ def test_every_equation_vanishes_on_the_variety(name: str) -> None:
     assert count > 0
 
 
+@pytest.mark.parametrize("name", ["puma560", "scara", "gantry_wrist", "stanford_paul"])
+def test_the_order_in_which_cuts_are_asked_changes_nothing(name: str) -> None:
+    """They share their vectors, whoever makes them first."""
+    states = moments(name)
+    for state in states:
+        forward, backward = Pool(state), Pool(state)
+        asked = [list(forward.equations(cut)) for cut in forward.cuts()]
+        reverse = [list(backward.equations(cut)) for cut in reversed(backward.cuts())]
+        assert asked == reverse[::-1]
+        assert any(asked) or state is states[-1]
+
+
 def test_a_wrong_sign_is_seen() -> None:
     found = derivation("puma560")
     state, _ = start(found.chain, found.plan.task)

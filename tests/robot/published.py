@@ -218,6 +218,13 @@ TABLES = {
         0 0 0.4162 0 R
         -pi/2 0 0 -pi/2 R
         -pi/2 0.0091 0 -pi/2 R""",
+    "raven_2": """craig
+        0 0 0 0 R
+        75*pi/180 0 0 0 R
+        pi-52*pi/180 0 0 pi/2 P
+        0 0 -0.47 0 R
+        pi/2 0 0 0 R
+        pi/2 0.013 0 0 R""",
     "kinova_jaco": """paul
         pi/2 0 0.2755 0 -R
         pi 0.410 0 -pi/2 R

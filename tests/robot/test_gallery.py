@@ -50,6 +50,7 @@ JOINTS = {
     "planar_rrr_paul": "RRR",
     "planar_rrr_screw": "RRR",
     "puma560": "RRRRRR",
+    "raven_2": "RRPRRR",
     "rethink_sawyer": "RRRRRRR",
     "scara": "RRPR",
     "scorbot_5r": "RRRRR",

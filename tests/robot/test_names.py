@@ -30,6 +30,7 @@ CLASHES = ["c1", "s23", "c12m4", "theta1", "theta234", "u_x", "p16_x", "p_z", "k
 CLASHES += ["calpha1", "salpha2", "T", "q", "p", "R", "tau", "size", "pi", "sqrt", "sin", "cos", "atan2", "fabs", "NAN"]
 CLASHES += ["if", "lambda", "match", "double", "restrict", "new", "float", "len", "_a", "a__b", "2a", "a-b", "", "a b"]
 CLASHES += ["A1", "M_PI", "reference", "é", "a" * 41, "z1_x", "o2_y", "np", "A1\n"]
+CLASHES += ["block", "path", "LANES", "half_turn", "larger", "lane_linear", "w_lanes", "a2_other"]
 
 
 @pytest.mark.parametrize("name", LECTURE)

@@ -124,6 +124,10 @@ class _Writer(Formulas):
             for name, value in given_joints(self.derivation.robot)
         )
 
+    def assumed(self, plan: Plan | GeneralPlan) -> str:
+        """What must not vanish for the inverse kinematics to be right."""
+        return ", ".join(f"${self.formula(item.value)} \\neq 0$" for item in plan.nonzero)
+
     def links(self) -> tuple[Display, ...]:
         """The link transforms."""
         return matrices(
@@ -258,6 +262,7 @@ def _context(derivation: Derivation) -> dict[str, Any]:
         "notation": writer.notation(),
         "given": writer.given(),
         "held": writer.definitions(held),
+        "assumed": writer.assumed(plan),
         "letter": link_letter(robot),
         "links": writer.links(),
         "product": writer.product(),

@@ -64,11 +64,14 @@ _WORDS = {
     "x": r"\times",
     "Mi": "M_{i}",
     "Li": "L_{i}",
+    "L5": "L_{5}",
+    "L6": "L_{6}",
     "Rk": "R_{k}",
     "Ak": "A_{k}",
     "rho": r"\rho",
     **{f"{letter}{k}": f"{letter}_{{{k}}}" for letter in "ARk" for k in range(1, 5)},
     "1e-10": "10^{-10}",
+    "1e-9": "10^{-9}",
 }
 
 

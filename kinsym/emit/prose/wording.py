@@ -17,6 +17,7 @@ from kinsym.algebra.tree import Call, Definition, Sym, Tree
 from kinsym.inverse.plan import Equation, Item, JointValue, Plan, Step, Window
 from kinsym.inverse.rules import TITLES
 from kinsym.inverse.state import span
+from kinsym.kinematics.elementary import FACTORS
 from kinsym.robot.model import Convention, Robot, Task
 
 if TYPE_CHECKING:
@@ -37,6 +38,18 @@ CONVENTIONS = {
     Convention.CRAIG: "Denavit-Hartenberg table, Craig's convention",
     Convention.SCREW: "Table of joint screws at the home pose",
 }
+
+
+def row_product(convention: Convention) -> str:
+    """The elementary transforms of a Denavit-Hartenberg row in their order; empty for a table of screws.
+
+    >>> row_product(Convention.CRAIG)
+    'R_X(alpha_i-1) D_X(a_i-1) R_Z(theta_i) D_Z(d_i)'
+    """
+    before = "-1" if convention is Convention.CRAIG else ""
+    factors = FACTORS.get(convention, ())
+    return " ".join(f"{name}({cell}_i{before if name[-1] == 'X' else ''})" for name, cell in factors)
+
 
 #: A binary fraction with a larger denominator than this is written with decimals.
 _LARGEST_DENOMINATOR = 64

@@ -19,24 +19,25 @@ _BEFORE = ("links", "motion", "arm", "loop")
 _LOOP = ("states", "equations", "determinant")
 _BACK = ("kernel", "substitute")
 _ROOTS = ("isolate", "resample", "circle")
-_AFTER = ("polish", "collect", "eliminate", "solve")
+_AFTER = ("polish", "collect", "eliminate")
 
 
-def parts(kinds: str) -> tuple[str, ...]:
-    """The templates for an arm, by the kinds of its joints.
+def parts(kinds: str, gate: bool = False) -> tuple[str, ...]:
+    """The templates for an arm, by the kinds of its joints and whether the sixth has to stand still.
 
     >>> parts("RRPRPR")[4:6]
     ('two_slides', 'isolate')
     """
+    after = (*_AFTER, *(("still", "solve") if gate else ("solve",)))
     if kinds.count("P") == 2:
-        return (*_BEFORE, "two_slides", *_ROOTS, *_AFTER)
-    return (*_BEFORE, *_LOOP, *_ROOTS, *_BACK, *_AFTER)
+        return (*_BEFORE, "two_slides", *_ROOTS, *after)
+    return (*_BEFORE, *_LOOP, *_ROOTS, *_BACK, *after)
 
 
 def general_names(schedule: Schedule, plan: GeneralPlan, printer: Printer) -> dict[str, Any]:
     """The names that the templates in c/general read."""
     return {
-        "parts": [f"c/general/{part}.c.jinja" for part in parts(plan.kinds)],
+        "parts": [f"c/general/{part}.c.jinja" for part in parts(plan.kinds, plan.gate)],
         "sliding": [int(kind == "P") for kind in plan.kinds],
         "signs": [f"{sign}.0" for sign in plan.signs],
         "links": [_link(link, printer) for link in plan.transforms],

@@ -16,6 +16,8 @@ from kinsym.emit.environment import render
 from kinsym.emit.printer import Printer, decimal
 from kinsym.emit.schedule import NominalStarts, Schedule
 from kinsym.emit.source.banner import banner, c_comment
+from kinsym.emit.source.c_batch import LANES, batch_of, waves
+from kinsym.emit.source.c_ending import c_ending
 from kinsym.emit.source.c_general import general_names
 from kinsym.emit.source.control import c_limits, control_names
 from kinsym.emit.source.gate import gate_entries
@@ -23,13 +25,14 @@ from kinsym.emit.source.kernels import kernels_used
 from kinsym.emit.source.marks import c_marks
 from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
 from kinsym.emit.source.nominal import nominal_names
+from kinsym.emit.source.regular import regular_names
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
 from kinsym.emit.source.wrapping import WIDTH, cut, fill
 
 
 class CPrinter(Printer):
-    """Expressions of C99; ``angle_of``, ``wrap`` and ``sign_of`` are helpers of the generated source."""
+    """Expressions of C99; what is not in its library is a helper of the generated source."""
 
     functions: ClassVar = {
         "sqrt": "sqrt",
@@ -40,8 +43,17 @@ class CPrinter(Printer):
         "atan2": "angle_of",
         "hypot": "hypot",
         "wrap": "wrap",
+        "unwound": "unwound",
+        "half_turn": "half_turn",
+        "opposite": "opposite",
     }
     pi = "3.141592653589793"
+
+
+class LanePrinter(CPrinter):
+    """The same in a loop over many poses, where sines and cosines must not be calls."""
+
+    functions: ClassVar = {**CPrinter.functions, "sin": "lane_sin", "cos": "lane_cos"}
 
 
 def c_source(schedule: Schedule) -> dict[str, str]:
@@ -50,6 +62,8 @@ def c_source(schedule: Schedule) -> dict[str, str]:
     printer = CPrinter()
     statements = inverse_views(schedule, inverse, printer)
     marking = c_marks(schedule, statements)
+    ending = c_ending(schedule, inverse, statements, printer)
+    batch = batch_of(schedule, inverse, printer)
     names: dict[str, Any] = {
         **marking,
         **control_names(schedule),
@@ -60,16 +74,22 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "schedule": schedule,
         "complete": all(parameter.value is not None for parameter in schedule.parameters),
         "fields": [*(parameter.name for parameter in schedule.parameters), *schedule.inputs],
-        "heads": _heads(schedule, marking["ending"]),
+        "heads": _heads(schedule, marking["ending"], inverse.marked, ending["word"]),
         "usable": _usable(schedule),
-        "banner": [c_comment(line) for line in banner(schedule)],
+        "banner": [c_comment(line) for line in banner(schedule, shared=True)],
+        **regular_names(schedule, printer),
         "singular": [c_comment(line) for line in singular_lines(schedule)],
         "inverse": inverse,
-        "statements": statements,
         "entries": _entries(inverse),
+        **ending,
         "kernels": kernels_used(inverse.statements),
-        "functions": functions_used(schedule),
+        "angles": "atan2" in ending["functions"],
         "gate": gate,
+        "functions": ending["functions"] | (batch.functions if batch else frozenset()),
+        "batch": batch,
+        "lanes": LANES,
+        "waves": waves(schedule),
+        "lane_expression": LanePrinter(),
         "index": {name: 4 * row + column for name, (row, column) in ENTRIES.items()},
         "fk": line_needs(schedule, schedule.forward),
         "jacobian": line_needs(schedule, schedule.jacobian),
@@ -80,6 +100,7 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "roots_call": roots_call,
         "code": code,
         "comment": comment,
+        "comment_lines": lambda text: "\n".join(f" * {line}" for line in fill(c_comment(text), WIDTH - 6)),
     }
     if schedule.general:
         names |= {
@@ -158,7 +179,7 @@ def comment(text: str, depth: int) -> str:
     return "\n".join([f"{indent}/* {first}", *(f"{indent} * {line}" for line in others)]) + " */"
 
 
-def _heads(schedule: Schedule, twins: bool) -> dict[str, Any]:
+def _heads(schedule: Schedule, twins: bool, marked: bool, word: str) -> dict[str, Any]:
     """The functions as they are declared."""
     name, joints = schedule.name, f"{schedule.name.upper()}_JOINTS"
     vector, parameters, solutions = f"const double q[{joints}]", f"const {name}_params *p", f"double q[][{joints}]"
@@ -166,7 +187,10 @@ def _heads(schedule: Schedule, twins: bool) -> dict[str, Any]:
     size = ", double size" if gate_entries(schedule.task).position else ""
     pose, slopes = f"{parameters}, const double M[12], double size", f"D[ENTRIES][{joints}]"
     sliding = ", double size" if any(joint.kind == "P" for joint in schedule.joints) else ""
-    returned = "double" if schedule.gate and size else "void"
+    special = f"const {word} found[], int count" if marked else "int count"
+    if marked or schedule.gate:
+        special += f", const {name}_params *p, const double M[12], double tau"
+        special += ", double size" if marked or size else ""
     called = f"const double T[16], {parameters}, const double reference[{joints}]"
     limits = f"const double lower[{joints}], const double upper[{joints}]"
     return {
@@ -184,6 +208,9 @@ def _heads(schedule: Schedule, twins: bool) -> dict[str, Any]:
             f"const double values[], int steps, {solutions}, int counts[])"
             for joint in schedule.inputs
         },
+        "fk_batch": f"void {name}_fk_batch(const double q[], int n, {parameters}, double T[])",
+        "ik_batch": f"int {name}_ik_batch(const double T[], int n, {parameters}, const double reference[{joints}], "
+        f"{''.join(f'const double {joint}_values[], ' for joint in schedule.inputs)}{solutions}, int counts[])",
         "ik_marked": f"int {name}_ik_marked(const double T[16], {parameters}, "
         f"const double reference[{joints}], {solutions}, {name}_mark marks[])",
         "distance": f"static double distance({vector}, {pose}, double e[ENTRIES])",
@@ -192,9 +219,10 @@ def _heads(schedule: Schedule, twins: bool) -> dict[str, Any]:
         "polish": f"static double polish(double q[{joints}], {pose})",
         "settle": f"static int settle({solutions}, {ending}int mark, {parameters}, const double M[12], "
         "double tau, double size)",
+        "settled": f"static int settled({solutions}, {name}_mark marks[], {special})",
         "tidied": f"static int tidied({solutions}, {name}_mark marks[], const double alike[], int count{sliding})",
         "hold": f"static void hold(const {name}_params *p, double q[{joints}])",
-        "constant_motions": f"static {returned} constant_motions(const {name}_params *p, rigid_motion out[7])",
+        "constant_motions": f"static void constant_motions(const {name}_params *p, rigid_motion out[7])",
         "reaches": f"static int reaches({vector}, {parameters}, const double M[12], double tau{size})",
     }
 
@@ -204,6 +232,7 @@ def _usable(schedule: Schedule) -> str:
     complete = all(parameter.value is not None for parameter in schedule.parameters)
     names = [*(parameter.name for parameter in schedule.parameters), *schedule.inputs]
     tests = [f"isfinite(p->{name})" for name in names]
+    tests += ["regular(p)"] if schedule.nonzero else []
     return " && ".join(tests if complete else ["p != NULL", *tests])
 
 

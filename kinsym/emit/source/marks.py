@@ -18,19 +18,18 @@ from kinsym.emit.source.statements import KernelCall, View
 
 
 def c_marks(schedule: Schedule, statements: Iterable[View]) -> dict[str, Any]:
-    """The expressions of C that the templates need: branch, twin branch, masks of joints by kind of mark."""
-    calls, ends, strides = _calls(schedule, statements)
-    terms = [f"{stride} * i{level + 1}" if stride > 1 else f"i{level + 1}" for level, stride in enumerate(strides)]
+    """The expressions of C that the templates need: twin branch, masks of joints by kind of mark."""
+    calls, ends, _ = _calls(schedule, statements)
 
     def way(call: KernelCall, stride: int) -> str:
-        return f"{stride}u" if call.roots == 2 else f"{stride}u * (unsigned)({call.roots - 1} - i{call.branch})"
+        root = f"branch / {stride} % {call.roots}" if stride > 1 else f"branch % {call.roots}"
+        return f"{stride}u" if call.roots == 2 else f"{stride}u * ({call.roots - 1}u - {root})"
 
     def bit(call: KernelCall, mark: str) -> str:
         return f"({call.mark} & {mark} ? {_joints(call)}u : 0u)"
 
     return {
         **_common(schedule, calls, ends),
-        "branch": f"(unsigned)({' + '.join(terms)})" if terms else "0u",
         "twin": " : ".join([*(f"{c.mark} & IS_BORDER ? {way(c, s)}" for c, s in ends), "0u"]),
         "masks": _masks(calls, ends, bit, "IS_"),
     }

@@ -81,7 +81,7 @@ def line_needs(schedule: Schedule, line: StraightLine) -> LineNeeds:
 def inverse_needs(schedule: Schedule) -> InverseNeeds:
     """The needs of the inverse kinematics; a gate and marked solutions read the tolerances as well."""
     names = set() if schedule.general else set(schedule.solution)
-    if schedule.gate:
+    if schedule.gate and not schedule.general:
         names |= {"tau", "size"} if gate_entries(schedule.task).position else {"tau"}
     if _marks(schedule.inverse):
         names |= {"tau", "size"}
@@ -116,6 +116,14 @@ def held_needs(schedule: Schedule) -> Needs:
     return Needs(inputs=schedule.inputs, **_common(schedule, (*schedule.constants, *schedule.held), names))
 
 
+def nonzero_needs(schedule: Schedule) -> LineNeeds:
+    """What the test that nothing vanishes reads."""
+    trees = [item.value for item in schedule.nonzero]
+    if any(item.unit == 1 for item in schedule.nonzero):
+        trees.append(schedule.lengths)
+    return line_needs(schedule, StraightLine(definitions=(), outputs=tuple(trees)))
+
+
 def functions_used(schedule: Schedule) -> frozenset[str]:
     """The functions that the generated source calls in its expressions."""
     inverse = inverse_needs(schedule)
@@ -123,14 +131,20 @@ def functions_used(schedule: Schedule) -> frozenset[str]:
     for line in (schedule.forward, schedule.jacobian):
         needs = line_needs(schedule, line)
         trees += [item.value for item in (*needs.constants, *needs.definitions)]
-    trees += [item.value for item in (*inverse.constants, *held_needs(schedule).constants)]
+    trees += [item.value for item in held_needs(schedule).constants]
+    functions = {name for tree in trees for name in _functions(tree)} | inverse_functions(inverse)
+    return frozenset(functions | {"wrap"} if inverse.marked else functions)
+
+
+def inverse_functions(inverse: InverseNeeds) -> frozenset[str]:
+    """The functions that the statements of the inverse kinematics call."""
+    trees = [item.value for item in inverse.constants]
     for statement in inverse.statements:
         if isinstance(statement, Assign):
             trees.append(statement.value)
         elif isinstance(statement, Solve):
             trees += statement.step.inputs.values()
-    functions = {name for tree in trees for name in _functions(tree)}
-    return frozenset(functions | {"wrap"} if inverse.marked else functions)
+    return frozenset(name for tree in trees for name in _functions(tree))
 
 
 def _marks(statements: Iterable[Statement]) -> bool:

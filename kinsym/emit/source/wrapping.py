@@ -36,7 +36,8 @@ def cut(text: str, first: int, others: int | None = None) -> list[str]:
     """
     lines, width = [], first
     while len(text) > width:
-        cuts = [place for place in _cuts(text) if place[2] <= width]
+        end = text.find(" ", width + 2)  # whole words, as far as a line can reach: expressions can be very long
+        cuts = [place for place in _cuts(text[:end] if end > 0 else text) if place[2] <= width]
         good = [place for place in cuts if place[2] >= _SHORTEST * width] or cuts
         if not good:
             break

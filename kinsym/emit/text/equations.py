@@ -29,12 +29,13 @@ from kinsym.emit.prose.wording import (
     marks_explained,
     one_line,
     origins,
+    row_product,
     rule_title,
     shown_items,
     sifting,
 )
 from kinsym.emit.text.general import general_steps
-from kinsym.emit.text.given import given, held
+from kinsym.emit.text.given import assumed, given, held
 from kinsym.emit.text.nominal import nominal_arm
 from kinsym.emit.text.page import Page
 from kinsym.emit.text.singular import singular_poses
@@ -110,10 +111,10 @@ def notation(derivation: Derivation, page: Page | None = None) -> str:
     return "\n".join(lines)
 
 
-def links(forward: Forward, page: Page | None = None) -> str:
-    """The link transforms as matrices."""
+def links(robot: Robot, forward: Forward, page: Page | None = None) -> str:
+    """The link transforms as matrices, and the elementary transforms that a row of the table is the product of."""
     page = page or Page()
-    parts = []
+    parts = [f"  A_i = {product}"] if (product := row_product(robot.convention)) else []
     for link in forward.links:
         cells = [[page.formula(cell) for cell in row] for row in link.matrix[:3]]
         rows = page.columns(cells, indent=0).splitlines()
@@ -201,6 +202,7 @@ def derivation_steps(derivation: Derivation, plan: Plan, page: Page | None = Non
     head = [page.prose(f"given: {TASKS[plan.task]}, as entries of T = [u v w p]")]
     head += given(robot, page)
     head += held(derivation, page)
+    head += assumed(plan, page)
     if (first, last) not in windows:
         head.append(f"  T_{first}_{last} = T")
     head.append(page.prose("T_i_j is the part of T that joints i+1 to j make"))
@@ -278,7 +280,7 @@ def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, f
         f"{_heading('Notation')}\n{notation(derivation, page)}",
     ]
     if full or derivation.long:
-        sections.append(f"{_heading('Link transforms')}\n{links(derivation.forward, page)}")
+        sections.append(f"{_heading('Link transforms')}\n{links(robot, derivation.forward, page)}")
     sections.append(f"{_heading('Forward kinematics')}\n{forward_kinematics(derivation, page)}")
     if full and not derivation.long:
         sections.append(f"{_heading('Jacobian')}\n{jacobian(derivation.forward, derivation.jacobian, page)}")

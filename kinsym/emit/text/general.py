@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from kinsym.emit.prose.general import Formula, stages
 from kinsym.emit.prose.wording import TASKS
-from kinsym.emit.text.given import given, held
+from kinsym.emit.text.given import assumed, given, held
 from kinsym.emit.text.page import Page
 from kinsym.general.plan import GeneralPlan
 
@@ -22,6 +22,7 @@ def general_steps(derivation: Derivation, plan: GeneralPlan, page: Page) -> str:
                 page.prose(f"given: {TASKS[plan.task]}, as entries of T = [u v w p]"),
                 *given(derivation.robot, page),
                 *held(derivation, page),
+                *assumed(plan, page),
                 page.prose(f"{plan.why}."),
                 page.prose("So one angle is the root of a polynomial, and the others follow from linear equations:"),
             ]

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 from kinsym.emit.prose.wording import INPUT, given_joints
 from kinsym.emit.text.page import Page
+from kinsym.general.plan import GeneralPlan
+from kinsym.inverse.plan import Plan
 from kinsym.robot.model import Robot
 
 if TYPE_CHECKING:
@@ -18,6 +20,12 @@ def given(robot: Robot, page: Page) -> list[str]:
         page.prose(f"{name} is given, {INPUT}" if value is None else f"{name} = {page.formula(value)} is given")
         for name, value in given_joints(robot)
     ]
+
+
+def assumed(plan: Plan | GeneralPlan, page: Page) -> list[str]:
+    """A line for what must not vanish, if there is anything."""
+    conditions = [f"{page.formula(item.value)} != 0" for item in plan.nonzero]
+    return [page.prose(f"for {', '.join(conditions)}")] if conditions else []
 
 
 def held(derivation: Derivation, page: Page) -> list[str]:

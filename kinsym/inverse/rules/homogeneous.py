@@ -46,13 +46,12 @@ def candidates(view: View) -> Iterator[Candidate]:
 
 def _independent(state: State, first: LinearForm, second: LinearForm) -> bool:
     """Whether two statements of an angle differ for poses that the arm cannot make."""
-    ring = state.chain.ring
-    difference = ring.mul(first.a, second.b) - ring.mul(first.b, second.a)
-    if not difference or not state.overdetermined or not state.oriented:
+    if not state.overdetermined or not state.oriented:
         return False
-    generator = random.Random("poses")
+    ring, generator = state.chain.ring, random.Random("poses")
     values = {**state.samples[0], **{entry: generator.randrange(PRIME) for entry in POSE_ENTRIES}}
-    return ring.evaluate(difference, values) != 0
+    a, b, c, d = (ring.evaluate(poly, values) for poly in (first.a, first.b, second.a, second.b))
+    return (a * d - b * c) % PRIME != 0
 
 
 def _build(state: State, form: LinearForm, others: list[LinearForm], names: Names) -> Outcome:

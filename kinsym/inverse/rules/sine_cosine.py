@@ -6,7 +6,7 @@ angle is free where the determinant is zero.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from itertools import combinations
 
@@ -26,6 +26,7 @@ from kinsym.inverse.rules.base import (
     shown,
     tolerance,
 )
+from kinsym.inverse.rules.turned_pair import shared_points
 from kinsym.inverse.state import State
 
 TITLES = {
@@ -42,22 +43,36 @@ WIDEST = 14
 def candidates(view: View) -> Iterator[Candidate]:
     """Pairs of linear forms in one angle whose determinant does not vanish."""
     state = view.state
+    points = (*state.samples, shared_points(state)[1])
     for forms in view.linear.values():
-        for first, second in combinations(forms[:WIDEST], 2):
+        known = [(form, _values(state, form, points)) for form in forms[:WIDEST]]
+        # Of pairs that are equally short an orientation comes before a position, which a length near zero makes small.
+        pairs = sorted(combinations(known, 2), key=lambda pair: pair[0][0].equation.unit + pair[1][0].equation.unit)
+        for (first, at_first), (second, at_second) in pairs:
             state.deadline.check()
-            determinant = _cross(state, first.a, first.b, second.a, second.b)
-            values = state.values(determinant)
-            if not any(values):
+            found = [(a * d - b * c) % PRIME for (a, b), (c, d) in zip(at_first, at_second, strict=True)]
+            *determinants, again = found
+            if not any(determinants):
                 continue
             terms = first.terms + second.terms
-            sign = 1 if all(v == 1 for v in values) else -1 if all(v == PRIME - 1 for v in values) else 0
+            sign = 1 if set(determinants) == {1} else -1 if set(determinants) == {PRIME - 1} else 0
+            constant = None
             if sign:
-                build = partial(_direct, state, first, second, state.chain.ring.one * sign)
-            elif state.chain.ring.is_constant(determinant):
-                build = partial(_direct, state, first, second, determinant)
+                constant = state.chain.ring.one * sign
+            elif again == determinants[0]:
+                # The same at two points that share the constants: worth a product in the ring.
+                constant = _cross(state, first.a, first.b, second.a, second.b)
+            if constant is not None and state.chain.ring.is_constant(constant):
+                build = partial(_direct, state, first, second, constant)
             else:
                 build = partial(_quotient, state, first, second)
             yield Candidate(_cost(state, first, second, build.func is _direct), terms, first.angle.name, build)
+
+
+def _values(state: State, form: LinearForm, points: Sequence[Mapping[str, int]]) -> list[tuple[int, int]]:
+    """The coefficients a and b of an equation at points modulo the prime."""
+    ring = state.chain.ring
+    return [(ring.evaluate(form.a, point), ring.evaluate(form.b, point)) for point in points]
 
 
 def _cost(state: State, first: LinearForm, second: LinearForm, direct: bool) -> int:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from kinsym.emit.prose.general.stage import Formula, Naming, Stage, inline
+from kinsym.general.arm import TILT
 from kinsym.general.plan import Cut, GeneralPlan
 
 if TYPE_CHECKING:
@@ -56,12 +57,21 @@ class Loop:
                 f"The joints are counted without {' and '.join('{' + name + '}' for name in self.locked)}: what is"
                 " locked is part of a constant transform.",
             )
-        if self.plan.virtual:
+        if self.plan.spin:
             body.insert(
                 0,
                 "Joint 6 is none of the robot: it turns the tool about its own axis by an angle {phi}, which the"
                 " task leaves open.",
             )
+        if self.plan.gate:
+            axis = ", ".join(f"{row[2]}/7" for row in TILT)
+            body[:0] = [
+                "Five joints reach few poses. Joint 6 is none of the robot: it turns the tool by an angle {phi} about"
+                " an axis through its origin that has no special direction, in the tool's frame",
+                Formula(("e", f"({axis})"), ("e", f"({axis})")),
+                "{L5} turns to this axis as well, and {L6} back. So a pose in general has solutions, and where {phi}"
+                " vanishes the five joints reach it by themselves.",
+            ]
         return Stage((), "the loop", tuple(body))
 
     def _factor(self, cut: Cut, k: int) -> tuple[str, str]:
@@ -78,6 +88,11 @@ class Loop:
             "Newton's method with the Jacobian brings every solution onto the pose. What stays off it by more than"
             " {1e-10} of the arm's length is none; what comes twice is returned once."
         ]
+        if self.plan.gate:
+            body.append(
+                "Those in which {phi} vanishes are the robot's: its own joints are polished once more without the sixth"
+                " and must come within {1e-9} of the pose."
+            )
         if len(self.cuts) > 1:
             other = self.cuts[1]
             way = "backward" if other.backward else "forward"

@@ -1,0 +1,36 @@
+"""The laws of the batch functions of the C: pose by pose they give what the functions for one pose give."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from kinsym.check.laws import Judge, malformed
+from kinsym.check.ledger import Ledger
+from kinsym.check.poses import wrapped
+from kinsym.check.solvers import CSolver, Floats
+
+SINGLE_LAW = "ik and ik_batch agree"
+SINGLE_FORWARD_LAW = "fk and fk_batch agree"
+SINGLE_LIMIT = 1e-12
+
+
+def hold_batch(ledger: Ledger, target: CSolver, judge: Judge, *, poses: Floats, q: Floats) -> None:
+    """The same numbers of solutions, in the same order, whole turns aside.
+
+    ``poses`` (m, 4, 4) are those of ``q`` (m, n); free joints take 0 in both, joints that are held their value in
+    q. What is no pose is refused among others.
+    """
+    reference = np.where(judge.kinematics.free, 0.0, q)
+    (single, count), (batch, batch_count) = target.inverse(poses, reference), target.inverse_batch(poses, reference)
+    found = np.arange(single.shape[1]) < count[:, None]
+    with np.errstate(invalid="ignore"):  # a joint value that is not finite
+        apart = np.abs(wrapped(batch - single, judge.revolute)).max(axis=-1)
+    wrong = (batch_count != count) | (found & ~(apart <= SINGLE_LIMIT)).any(axis=1)
+    cases = np.array(list(malformed(poses[0]).values()))
+    answered = target.inverse_batch(cases, reference[: len(cases)])[1] >= 0
+    tried, failed = len(q) + len(cases), int(wrong.sum() + answered.sum())
+    ledger.count(SINGLE_LAW, target.name, tried, failed, limit=f"<= {SINGLE_LIMIT:g}")
+    one, many = target.forward(q), target.forward_batch(q)
+    scale = np.maximum(1.0, np.abs(one).max(axis=(1, 2)))
+    missed = ~(np.abs(many - one).max(axis=(1, 2)) <= SINGLE_LIMIT * scale)
+    ledger.count(SINGLE_FORWARD_LAW, target.name, len(q), int(missed.sum()), limit=f"<= {SINGLE_LIMIT:g}")

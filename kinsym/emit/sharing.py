@@ -1,0 +1,127 @@
+"""Products and sums that occur more than once get a name, so that they are computed once.
+
+Two factors or two terms at a time: the pair that occurs most often is named first, of equals the one that comes first.
+Sums are the same up to a sign.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
+from itertools import combinations
+
+from kinsym.algebra.tree import Definition, Num, Prod, Sum, Sym, Tree, add, children, mul, negated, negative, symbols
+from kinsym.emit.schedule import StraightLine
+
+Pair = tuple[Tree, Tree]
+
+
+def shared(line: StraightLine) -> StraightLine:
+    """A straight line with repeated products and sums named, each where what it is made of is known."""
+    names = [item.name for item in line.definitions]
+    trees = [*(item.value for item in line.definitions), *line.outputs]
+    known: dict[str, Tree] = {}
+    for kind, pairs, replace in ((Prod, _factors, _without_factors), (Sum, _terms, _without_terms)):
+        word = "product" if kind is Prod else "sum"
+        number = 0
+        while True:
+            counts = Counter(pair for tree in (*trees, *known.values()) for pair in pairs(tree))
+            best = max(counts, key=counts.__getitem__, default=None)
+            if best is None or counts[best] < 2:
+                break
+            number += 1
+            name = f"{word}{number}"
+            trees = [replace(tree, best, Sym(name)) for tree in trees]
+            known = {key: replace(tree, best, Sym(name)) for key, tree in known.items()}
+            known[name] = mul(*best) if kind is Prod else add(*best)
+    return StraightLine(
+        definitions=_placed(list(zip(names, trees, strict=False)), known), outputs=tuple(trees[len(names) :])
+    )
+
+
+def _factors(tree: Tree) -> Iterator[Pair]:
+    """The pairs of factors in an expression, without numbers."""
+    for part in _parts(tree):
+        yield from _factors(part)
+    if isinstance(tree, Prod):
+        yield from combinations(sorted(set(_plain(tree)), key=repr), 2)
+
+
+def _plain(tree: Prod) -> Iterable[Tree]:
+    return (factor for factor in tree.factors if isinstance(factor, Sym))
+
+
+def _without_factors(tree: Tree, pair: Pair, name: Sym) -> Tree:
+    tree = _inside(tree, lambda part: _without_factors(part, pair, name))
+    if not (isinstance(tree, Prod) and set(pair) <= set(tree.factors)):
+        return tree
+    left = list(tree.factors)
+    for factor in pair:
+        left.remove(factor)
+    number = [factor for factor in left if isinstance(factor, Num)]
+    return mul(*number, name, *(factor for factor in left if not isinstance(factor, Num)))
+
+
+def _terms(tree: Tree) -> Iterator[Pair]:
+    """The pairs of terms in an expression, the first of a pair without a minus."""
+    for part in _parts(tree):
+        yield from _terms(part)
+    if isinstance(tree, Sum):
+        for pair in combinations(tree.terms, 2):
+            yield _signed(pair)
+
+
+def _signed(pair: Pair) -> Pair:
+    first, second = sorted(pair, key=lambda term: repr(negated(term) if negative(term) else term))
+    return (negated(first), negated(second)) if negative(first) else (first, second)
+
+
+def _without_terms(tree: Tree, pair: Pair, name: Sym) -> Tree:
+    tree = _inside(tree, lambda part: _without_terms(part, pair, name))
+    if isinstance(tree, Sum):
+        for here, instead in ((pair, name), (tuple(map(negated, pair)), negated(name))):
+            if set(here) <= set(tree.terms):
+                left = list(tree.terms)
+                for term in here:
+                    left.remove(term)
+                return add(instead, *left)
+    return tree
+
+
+def _parts(tree: Tree) -> tuple[Tree, ...]:
+    """The parts of a sum or a product; nothing is shared inside functions."""
+    return children(tree) if isinstance(tree, Sum | Prod) else ()
+
+
+def _inside(tree: Tree, change: Callable[[Tree], Tree]) -> Tree:
+    """The same expression with its parts changed."""
+    match tree:
+        case Sum(terms):
+            return add(*map(change, terms))
+        case Prod(factors):
+            return mul(*map(change, factors))
+        case _:
+            return tree
+
+
+def _placed(definitions: list[tuple[str, Tree]], known: dict[str, Tree]) -> tuple[Definition, ...]:
+    """All definitions in an order in which each follows what it reads; a shared one stands as late as it can."""
+    placed: list[Definition] = []
+    done: set[str] = set()
+
+    def need(tree: Tree) -> None:
+        for name in symbols(tree):
+            if name in known and name not in done:
+                need(known[name])
+                done.add(name)
+                placed.append(Definition(name=name, value=known[name]))
+
+    for name, tree in definitions:
+        need(tree)
+        placed.append(Definition(name=name, value=tree))
+    for name, tree in known.items():
+        if name not in done:
+            need(tree)
+            done.add(name)
+            placed.append(Definition(name=name, value=tree))
+    return tuple(placed)
