@@ -77,7 +77,7 @@ def test_derive_writes_five_files_and_says_so(kinsym: Run) -> None:
 def test_operations_are_told(kinsym: Run) -> None:
     """The same counts on the terminal, in the report and in the head of each file; a search for roots has none."""
     assert kinsym("derive", PLANAR, "--no-check") == 0
-    told = kinsym.out.partition("Operations\n----------\n")[2].partition("\n\n")[0].splitlines()
+    told = kinsym.out.partition("Operations of the C\n-------------------\n")[2].partition("\n\n")[0].splitlines()
     assert [line.split()[0] for line in told] == ["fk", "ik", "jacobian"]
     # p = l1 (c1, s1) + l2 (c12, s12): four products, two sums, and theta1 + theta2 once in each expression
     assert told[0] == "  fk        4 + -, 4 *, 2 sincos"

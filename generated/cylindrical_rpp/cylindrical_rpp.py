@@ -124,8 +124,8 @@ def ik(T, *, reference=None, d1):
     """
     if np.shape(T) != (4, 4):
         raise ValueError(f"a pose has the shape (4, 4), not {np.shape(T)}; ik_batch takes many")
-    q, valid = ik_batch(T, reference=reference, d1=d1)
-    return q[valid]
+    _check_parameters(d1=d1)
+    return _one_pose(T, reference, (d1,))[0]
 
 
 def ik_batch(T, *, reference=None, d1):
@@ -166,8 +166,7 @@ def solve(T, *, reference=None, d1):
     reference = _reference(reference)
     if not _is_pose(T):
         return _solutions(np.empty((0, 3)), np.empty(0, dtype=int), *np.empty((2, 0), dtype=int), "not a pose")
-    q, valid, free, border = _in_blocks(T, reference, (d1,))
-    return _solutions(q[valid], np.flatnonzero(valid), free[valid], border[valid])
+    return _solutions(*_one_pose(T, reference, (d1,)))
 
 
 def within(T, *, limits=None, reference=None, d1):
@@ -236,7 +235,7 @@ def _reference(reference):
 def _is_pose(T):
     """Whether T (4, 4) is a rigid motion."""
     try:
-        _read_poses(T[None], 0)
+        _read_pose(T.tolist())
     except ValueError:
         return False
     return True
@@ -304,6 +303,103 @@ def _wound(q, turns, low, high):
     return np.clip(q + 2.0 * np.pi * turns, low, high)
 
 
+def _one_pose(T, reference, parameters):
+    """The solutions of one pose: q (m, 3), their branches (m,), the bits of joints that are free and on a border (m,).
+
+    Plain numbers take a fifth of the time of arrays of length one. What is special is left to the arrays.
+    """
+    T = _array(T, (4, 4), "poses")
+    _references(reference, ())
+    pose = _read_pose(T.tolist())
+    try:
+        solutions, branches = _solve_one(pose, *parameters)
+    except (ArithmeticError, ValueError):
+        q, valid, free, border = _in_blocks(T, reference, parameters)
+        return q[valid], np.flatnonzero(valid), free[valid], border[valid]
+    unmarked = np.zeros(len(branches), dtype=np.int64)
+    return np.array(solutions).reshape(-1, 3), np.array(branches, dtype=np.int64), unmarked, unmarked
+
+
+def _solve_one(pose, d1):
+    """The solutions of one pose, as _read_pose gives it, and their branches.
+
+    Raises ArithmeticError or ValueError where one is special.
+    """
+    _, _, _, p_x, _, _, _, p_y, _, _, _, p_z, defect = pose
+    size = abs(d1) + abs(p_x) + abs(p_y) + abs(p_z)
+    tau = 1.4210854715202004e-14 + defect
+    solutions, branches = [], []
+
+    # (1) d2: linear in a prismatic variable: p_z = d2 + d1
+    d2 = p_z - d1
+
+    # (2) theta1: homogeneous equation a c + b s = 0: c1*p_x + s1*p_y = 0
+    for i1, (c1, s1) in enumerate(_scalar_homogeneous(p_x, p_y, tau * size)):
+        theta1 = _scalar_angle(s1, c1)
+
+        # (3) d3: linear in a prismatic variable: c1*p_y - s1*p_x - d3 = 0
+        d3 = c1 * p_y - s1 * p_x
+        solutions.append((theta1, d2, d3))
+        branches.append(i1)
+    if not math.isfinite(sum(map(sum, solutions))):
+        raise ArithmeticError("an angle or a length is no finite number")
+    return solutions, branches
+
+
+class _Special(ArithmeticError):
+    """A root is free, on a border, or so near to one of these that it has to be settled."""
+
+
+def _scalar_homogeneous(a, b, t):
+    """The two angles with a*cos + b*sin = 0, half a turn apart."""
+    r = math.sqrt(a * a + b * b)
+    if not r > _NEAR * t:
+        raise _Special
+    c, s = b / r, -a / r
+    return (c, s), (-c, -s)
+
+
+def _scalar_angle(s, c):
+    """The angle of a sine and a cosine in (-pi, pi]."""
+    angle = math.atan2(s, c)
+    return angle if angle > -math.pi else math.pi
+
+
+def _read_pose(T):
+    """The rows of a pose T (4, 4), their rotation made orthogonal, one after another, then by how much it was off.
+
+    See _read_poses. Raises ValueError for what is no pose; written so that NaN fails.
+    """
+    (u_x, v_x, w_x, p_x), (u_y, v_y, w_y, p_y), (u_z, v_z, w_z, p_z), (h_u, h_v, h_w, h_p) = T
+    uu, uv = u_x * u_x + u_y * u_y + u_z * u_z - 1.0, u_x * v_x + u_y * v_y + u_z * v_z
+    vv, vw = v_x * v_x + v_y * v_y + v_z * v_z - 1.0, v_x * w_x + v_y * w_y + v_z * w_z
+    ww, uw = w_x * w_x + w_y * w_y + w_z * w_z - 1.0, u_x * w_x + u_y * w_y + u_z * w_z
+    defect = max(abs(uu), abs(uv), abs(uw), abs(vv), abs(vw), abs(ww))
+    determinant = (
+        u_x * (v_y * w_z - w_y * v_z) + v_x * (w_y * u_z - u_y * w_z) + w_x * (u_y * v_z - v_y * u_z)
+    )
+    bottom = abs(h_u) <= 1e-9 and abs(h_v) <= 1e-9 and abs(h_w) <= 1e-9 and abs(h_p - 1.0) <= 1e-9
+    if not (bottom and abs(p_x) + abs(p_y) + abs(p_z) < 1e150 and defect <= 1e-6 and determinant > 0.0):
+        raise ValueError("the pose is no rigid motion: its rotation must be right-handed and orthogonal to 1e-6")
+    if defect <= 1e-14:
+        return u_x, v_x, w_x, p_x, u_y, v_y, w_y, p_y, u_z, v_z, w_z, p_z, 0.0
+    return (
+        u_x - 0.5 * (u_x * uu + v_x * uv + w_x * uw),
+        v_x - 0.5 * (u_x * uv + v_x * vv + w_x * vw),
+        w_x - 0.5 * (u_x * uw + v_x * vw + w_x * ww),
+        p_x,
+        u_y - 0.5 * (u_y * uu + v_y * uv + w_y * uw),
+        v_y - 0.5 * (u_y * uv + v_y * vv + w_y * vw),
+        w_y - 0.5 * (u_y * uw + v_y * vw + w_y * ww),
+        p_y,
+        u_z - 0.5 * (u_z * uu + v_z * uv + w_z * uw),
+        v_z - 0.5 * (u_z * uv + v_z * vv + w_z * vw),
+        w_z - 0.5 * (u_z * uw + v_z * vw + w_z * ww),
+        p_z,
+        defect,
+    )
+
+
 def _in_blocks(T, reference, parameters):
     """The solutions of any number of poses, a block at a time."""
     T = _array(T, (4, 4), "poses")
@@ -312,20 +408,33 @@ def _in_blocks(T, reference, parameters):
     near = _references(reference, shape)
     q = np.empty((len(poses), MAX_SOLUTIONS, 3))
     valid = np.empty((len(poses), MAX_SOLUTIONS), dtype=bool)
-    free, border = np.empty((2, len(poses), MAX_SOLUTIONS), dtype=np.int64)
+    free, border = np.zeros((2, len(poses), MAX_SOLUTIONS), dtype=np.int64)
+    special = []
     for start in range(0, len(poses), _BLOCK):
         part = slice(start, start + _BLOCK)
         M, defect = _read_poses(poses[part], start)
-        q[part], valid[part], free[part], border[part] = _solve(M, defect, near[part].T, *parameters)
+        rows, *marked = _solve(q[part], valid[part], M, defect, near[part].T, *parameters)
+        if rows.size:
+            special.append((rows + start, *marked))
+    if special:
+        every, *marked = map(np.concatenate, zip(*special))
+        for start in range(0, len(every), _BLOCK):
+            part = slice(start, start + _BLOCK)
+            rows, here = every[part], [array[part] for array in marked]
+            solved, good = q[rows], valid[rows]
+            _settle(solved, good, *here, dict(zip(PARAMETERS, parameters)))
+            solved[~good] = np.nan
+            q[rows], valid[rows], free[rows], border[rows] = solved, good, here[1], here[2]
     return tuple(array.reshape(*shape, *array.shape[1:]) for array in (q, valid, free, border))
 
 
 @np.errstate(all="ignore")
-def _solve(M, defect, reference, d1):
-    """The solutions of a block of N poses M (3, 4, N): q (N, 2, 3) and valid (N, 2).
+def _solve(q, valid, M, defect, reference, d1):
+    """The solutions of a block of N poses M (3, 4, N), put into q (N, 2, 3) and valid (N, 2).
 
     Arrays end in the axis of poses; every step with two roots puts an axis of length 2 in front. Branches without a
-    real solution carry numbers that mean nothing; they are masked at the end.
+    real solution carry numbers that mean nothing; they are masked at the end. Returns the poses
+    of which a solution is marked, as places in the block, and what _settle has to know of them.
     """
     p_x = M[0, 3]
     p_y = M[1, 3]
@@ -343,32 +452,30 @@ def _solve(M, defect, reference, d1):
     # (3) d3: linear in a prismatic variable: c1*p_y - s1*p_x - d3 = 0
     d3 = c1 * p_y - s1 * p_x
 
-    q = np.empty((2, M.shape[-1], 3))
-    q[..., 0] = theta1
-    q[..., 1] = d2
-    q[..., 2] = d3
-    # The first branching step becomes the outermost: (poses, solutions, joints).
-    q = q.transpose(1, 0, 2).reshape(-1, MAX_SOLUTIONS, 3)
-    valid = np.isfinite(q).all(axis=-1)
-    real = np.broadcast_to(real1, (2, M.shape[-1]))
-    valid &= real.transpose(1, 0).reshape(valid.shape)
-    free = border = 0
+    # A sum is finite where all its terms are. The branches change places with the poses as the values are written.
+    shape = (2, M.shape[-1])
+    real = np.isfinite(theta1 + d2 + d3) & real1
+    real = np.broadcast_to(real, shape)
+    empty = np.where(real, 0.0, np.nan)
+    values = q.reshape(M.shape[-1], 2, 3).transpose(1, 0, 2)
+    np.add(theta1, empty, out=values[..., 0])
+    np.add(d2, empty, out=values[..., 1])
+    np.add(d3, empty, out=values[..., 2])
+    valid[:] = real.transpose(1, 0).reshape(valid.shape)
     mark = mark2
-    if np.any(mark):
-        free = np.where(mark2 & _FREE, 1, 0)
-        border = 0
-        mark, free, border = (
-            np.broadcast_to(bits, (2, M.shape[-1]))
-            .transpose(1, 0)
-            .reshape(valid.shape)
-            .copy()
-            for bits in (mark, free, border)
-        )
-        T = np.concatenate([M, np.zeros((1, 4, M.shape[-1]))]).transpose(2, 0, 1)
-        T[:, 3, 3] = 1.0
-        _settle(q, valid, mark, free, border, T, tau, size, dict(d1=d1))
-    q[~valid] = np.nan
-    return q, valid, free, border
+    rows = np.flatnonzero(np.broadcast_to(mark != 0, shape).any(axis=(0,)))
+    if not rows.size:
+        return (rows,)
+    mark2 = mark = mark[..., rows]
+    free = np.where(mark2 & _FREE, 1, 0)
+    border = 0
+    mark, free, border = (
+        np.broadcast_to(bits, (2, len(rows))).transpose(1, 0).reshape(-1, MAX_SOLUTIONS).copy()
+        for bits in (mark, free, border)
+    )
+    T = np.zeros((len(rows), 4, 4))
+    T[:, :3], T[:, 3, 3] = M[..., rows].transpose(2, 0, 1), 1.0
+    return rows, mark, free, border, T, tau[rows], np.broadcast_to(size, tau.shape)[rows]
 
 
 def _distance(q, M, size, given):
@@ -414,6 +521,7 @@ def _polish(q, M, size, given):
     return left
 
 
+@np.errstate(all="ignore")
 def _settle(q, valid, mark, free, border, M, tau, size, given):
     """Polish the marked solutions q (N, 2, 3) that need it, and say in valid (N, 2) which of them are solutions.
 
@@ -503,7 +611,7 @@ def _read_poses(T, start):
 
     The defect is 0 within rounding. Raises ValueError for what is no pose; written so that NaN fails.
     """
-    M = np.ascontiguousarray(np.moveaxis(T[:, :3], 0, -1))
+    M = np.moveaxis(T[:, :3], 0, -1).copy(order="C")
     R = M[:, :3]
     x, y, z = R
     G = x[:, None] * x + y[:, None] * y + z[:, None] * z - np.eye(3)[..., None]

@@ -21,6 +21,14 @@
 #include <math.h>
 #include <stddef.h>
 
+#if defined(__GNUC__) && !defined(__clang__)
+/* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC optimize("no-math-errno", "no-trapping-math")
+#endif
+#if defined(__GNUC__) && !defined(__cplusplus)
+double sqrt(double) __attribute__((const)); /* the library's own declaration lets it write errno */
+#endif
+
 const gudel_fp1_params gudel_fp1_defaults = {
     0.109004, /* x0 */
     1.365052, /* y0 */
@@ -84,8 +92,8 @@ void gudel_fp1_jacobian(const double q[GUDEL_FP1_JOINTS], const gudel_fp1_params
 }
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
- * off (0 within rounding), or -1 if T is no pose. Written so that NaN fails. */
-static double read_pose(const double T[16], double M[12])
+ * off, or -1 if T is no pose. Written so that NaN fails. */
+static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -110,7 +118,7 @@ static double read_pose(const double T[16], double M[12])
         return -1.0;
     }
     if (defect <= 1e-14) {
-        defect = 0.0;
+        defect = 0.0; /* rounding */
     }
     for (int i = 0; i < 12; ++i) {
         M[i] = T[i];
@@ -123,6 +131,22 @@ static double read_pose(const double T[16], double M[12])
         }
     }
     return defect;
+}
+
+/* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
+static double read_pose(const double T[16], double M[12])
+{
+    const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
+    const double rounding = 1e-14;
+    for (int i = 0; i < 12; ++i) {
+        M[i] = T[i];
+    }
+    return fabs(ux * ux + uy * uy + uz * uz - 1.0) <= rounding && fabs(ux * vx + uy * vy + uz * vz) <= rounding
+        && fabs(vx * vx + vy * vy + vz * vz - 1.0) <= rounding && fabs(vx * wx + vy * wy + vz * wz) <= rounding
+        && fabs(wx * wx + wy * wy + wz * wz - 1.0) <= rounding && fabs(wx * ux + wy * uy + wz * uz) <= rounding
+        && ux * (vy * wz - vz * wy) + uy * (vz * wx - vx * wz) + uz * (vx * wy - vy * wx) > 0.0
+        && fabs(T[3]) + fabs(T[7]) + fabs(T[11]) < 1e150
+        && T[12] == 0.0 && T[13] == 0.0 && T[14] == 0.0 && T[15] == 1.0 ? 0.0 : mended_pose(T, M);
 }
 
 /* Whether every parameter has a finite value. */
@@ -140,6 +164,30 @@ static int all_finite(const double q[GUDEL_FP1_JOINTS])
         }
     }
     return 1;
+}
+
+/* The solutions of a special pose that are numbers; returns how many there are. */
+static int settled(double q[][GUDEL_FP1_JOINTS], gudel_fp1_mark marks[], int count)
+{
+    double given[GUDEL_FP1_MAX_SOLUTIONS][GUDEL_FP1_JOINTS];
+    unsigned branches[GUDEL_FP1_MAX_SOLUTIONS];
+    int kept = 0;
+    for (int k = 0; k < count; ++k) {
+        branches[k] = marks[k].branch;
+        for (int i = 0; i < GUDEL_FP1_JOINTS; ++i) {
+            given[k][i] = q[k][i];
+        }
+    }
+    for (int k = 0; k < count; ++k) {
+        const unsigned branch = branches[k];
+        for (int i = 0; i < GUDEL_FP1_JOINTS; ++i) {
+            q[kept][i] = given[k][i];
+        }
+        marks[kept].branch = branch;
+        marks[kept].free = marks[kept].border = 0;
+        kept += all_finite(q[kept]);
+    }
+    return kept;
 }
 
 int gudel_fp1_ik_marked(const double T[16], const gudel_fp1_params *p,
@@ -163,7 +211,9 @@ int gudel_fp1_ik_marked(const double T[16], const gudel_fp1_params *p,
     const double x0 = p->x0;
     const double y0 = p->y0;
     const double z0 = p->z0;
-    int count = 0;
+    unsigned branches[1];
+    int special = 0;
+    int arms = 0;
 
     /* (1) d1: linear in a prismatic variable: p_z = d1 + x0 */
     const double d1 = p_z - x0;
@@ -174,14 +224,27 @@ int gudel_fp1_ik_marked(const double T[16], const gudel_fp1_params *p,
     /* (3) d3: linear in a prismatic variable: p_x = z0 - d3 */
     const double d3 = z0 - p_x;
 
-    q[count][0] = d1;
-    q[count][1] = d2;
-    q[count][2] = d3;
-    const unsigned branch = 0u;
-    marks[count].branch = branch;
-    marks[count].free = marks[count].border = 0;
-    count += all_finite(q[count]);
-    return count;
+    branches[arms++] = 0u;
+
+    if (arms == 0) {
+        return 0;
+    }
+
+    /* The solutions, branch by branch. */
+    int count = 0;
+    for (int arm = 0; arm < arms; ++arm) {
+        const unsigned branch = branches[arm];
+        special |= !isfinite(d1);
+        special |= !isfinite(d2);
+        special |= !isfinite(d3);
+        q[count][0] = d1;
+        q[count][1] = d2;
+        q[count][2] = d3;
+        marks[count].branch = branch;
+        marks[count].free = marks[count].border = 0;
+        ++count;
+    }
+    return special ? settled(q, marks, count) : count;
 }
 
 int gudel_fp1_ik_near(const double T[16], const gudel_fp1_params *p, const double reference[GUDEL_FP1_JOINTS],
@@ -367,4 +430,184 @@ gudel_fp1_status gudel_fp1_nearest(const double T[16], const gudel_fp1_params *p
         }
     }
     return status;
+}
+
+/* Many poses at once: blocks of LANES poses in arrays with a place for each, every loop over them without a branch,
+ * so that a compiler computes several poses in one instruction. A pose at which a root is marked, or that is none, is
+ * left to the function for one pose. */
+#define LANES 64
+
+typedef struct lane_block {
+    double T[12][LANES]; /* forward kinematics of one path */
+    double M[12][LANES], tau[LANES]; /* the poses, and to what they are taken as known */
+    double real[LANES], marked[LANES]; /* whether it is a pose; above 0 where any root is marked */
+    double solved[GUDEL_FP1_MAX_SOLUTIONS][LANES]; /* whether a path ends in a solution */
+    double q[GUDEL_FP1_MAX_SOLUTIONS][GUDEL_FP1_JOINTS][LANES];
+} lane_block;
+
+/* Forward kinematics of the block's joint vectors of one path. */
+static void fk_block(const gudel_fp1_params *p, int path, lane_block *block)
+{
+    const double x0 = p->x0;
+    const double y0 = p->y0;
+    const double z0 = p->z0;
+    /* Apart from the block, so that a compiler sees that nothing overlaps. */
+    double q[GUDEL_FP1_JOINTS][LANES];
+    for (int i = 0; i < GUDEL_FP1_JOINTS; ++i) {
+        for (int k = 0; k < LANES; ++k) {
+            q[i][k] = block->q[path][i][k];
+        }
+    }
+    for (int k = 0; k < LANES; ++k) {
+        const double d1 = q[0][k];
+        const double d2 = q[1][k];
+        const double d3 = q[2][k];
+        block->T[0][k] = 0.0;
+        block->T[1][k] = 0.0;
+        block->T[2][k] = 1.0;
+        block->T[3][k] = z0 - d3;
+        block->T[4][k] = 0.0;
+        block->T[5][k] = -1.0;
+        block->T[6][k] = 0.0;
+        block->T[7][k] = d2 - y0;
+        block->T[8][k] = 1.0;
+        block->T[9][k] = 0.0;
+        block->T[10][k] = 0.0;
+        block->T[11][k] = d1 + x0;
+    }
+}
+
+void gudel_fp1_fk_batch(const double q[], int n, const gudel_fp1_params *p, double T[])
+{
+    if (p == NULL) {
+        p = &gudel_fp1_defaults;
+    }
+    lane_block block;
+    for (int first = 0; first < n; first += LANES) {
+        const int some = n - first < LANES ? n - first : LANES;
+        for (int k = 0; k < LANES; ++k) {
+            for (int i = 0; i < GUDEL_FP1_JOINTS; ++i) {
+                block.q[0][i][k] = q[GUDEL_FP1_JOINTS * (k < some ? k : 0) + i];
+            }
+        }
+        fk_block(p, 0, &block);
+        for (int k = 0; k < some; ++k) {
+            for (int i = 0; i < 12; ++i) {
+                T[i] = block.T[i][k];
+            }
+            T[12] = T[13] = T[14] = 0.0;
+            T[15] = 1.0;
+            q += GUDEL_FP1_JOINTS;
+            T += 16;
+        }
+    }
+}
+
+/* The larger of two numbers; fmax would be a call. */
+static inline double larger(double x, double y)
+{
+    return x > y ? x : y;
+}
+
+/* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
+ * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
+static void read_block(const double T[], int n, lane_block *block)
+{
+    for (int k = 0; k < LANES; ++k) {
+        const double *pose = T + 16 * (k < n ? k : n - 1);
+        for (int i = 0; i < 12; ++i) {
+            block->M[i][k] = pose[i];
+        }
+        const double off = fabs(pose[12]) + fabs(pose[13]) + fabs(pose[14]) + fabs(pose[15] - 1.0);
+        const double far = fabs(pose[3]) + fabs(pose[7]) + fabs(pose[11]);
+        block->real[k] = off <= 1e-9 && far < 1e150 ? 1.0 : 0.0;
+        block->marked[k] = 0.0;
+    }
+    for (int k = 0; k < LANES; ++k) {
+        const double u_x = block->M[0][k], u_y = block->M[4][k], u_z = block->M[8][k];
+        const double v_x = block->M[1][k], v_y = block->M[5][k], v_z = block->M[9][k];
+        const double w_x = block->M[2][k], w_y = block->M[6][k], w_z = block->M[10][k];
+        const double uu = u_x * u_x + u_y * u_y + u_z * u_z - 1.0, uv = u_x * v_x + u_y * v_y + u_z * v_z;
+        const double vv = v_x * v_x + v_y * v_y + v_z * v_z - 1.0, uw = u_x * w_x + u_y * w_y + u_z * w_z;
+        const double ww = w_x * w_x + w_y * w_y + w_z * w_z - 1.0, vw = v_x * w_x + v_y * w_y + v_z * w_z;
+        const double determinant = u_x * (v_y * w_z - w_y * v_z) + v_x * (w_y * u_z - u_y * w_z)
+            + w_x * (u_y * v_z - v_y * u_z);
+        const double straight = larger(larger(fabs(uu), fabs(vv)), fabs(ww));
+        const double square = larger(larger(fabs(uv), fabs(uw)), fabs(vw));
+        const double defect = larger(straight, square);
+        const double half = defect <= 1e-14 ? 0.0 : 0.5;
+        block->tau[k] = 1.4210854715202004e-14 + 2.0 * half * defect;
+        block->real[k] *= defect <= 0.999e-6 ? 1.0 : 0.0;
+        block->real[k] *= determinant > 0.5 ? 1.0 : 0.0;
+        block->M[0][k] -= half * (u_x * uu + v_x * uv + w_x * uw);
+        block->M[1][k] -= half * (u_x * uv + v_x * vv + w_x * vw);
+        block->M[2][k] -= half * (u_x * uw + v_x * vw + w_x * ww);
+        block->M[4][k] -= half * (u_y * uu + v_y * uv + w_y * uw);
+        block->M[5][k] -= half * (u_y * uv + v_y * vv + w_y * vw);
+        block->M[6][k] -= half * (u_y * uw + v_y * vw + w_y * ww);
+        block->M[8][k] -= half * (u_z * uu + v_z * uv + w_z * uw);
+        block->M[9][k] -= half * (u_z * uv + v_z * vv + w_z * vw);
+        block->M[10][k] -= half * (u_z * uw + v_z * vw + w_z * ww);
+    }
+}
+
+/* Every solution of the block, path by path; a path that ends before is no solution. */
+static void solve_block(const gudel_fp1_params *p, lane_block *block)
+{
+    const double x0 = p->x0;
+    const double y0 = p->y0;
+    const double z0 = p->z0;
+    const int path = 0;
+    for (int k = 0; k < LANES; ++k) {
+        const double real0 = block->real[k], p_z = block->M[11][k], p_y = block->M[7][k],
+            p_x = block->M[3][k];
+        /* (1) d1: linear in a prismatic variable: p_z = d1 + x0 */
+        const double d1 = p_z - x0;
+        /* (2) d2: linear in a prismatic variable: p_y = d2 - y0 */
+        const double d2 = p_y + y0;
+        /* (3) d3: linear in a prismatic variable: p_x = z0 - d3 */
+        const double d3 = z0 - p_x;
+        block->q[path][0][k] = d1;
+        block->q[path][1][k] = d2;
+        block->q[path][2][k] = d3;
+        block->solved[path][k] = real0;
+        const double sum = d1 + d2 + d3;
+        block->marked[k] += real0 * (sum - sum == 0.0 ? 0.0 : 1.0);
+    }
+}
+
+int gudel_fp1_ik_batch(const double T[], int n, const gudel_fp1_params *p,
+    const double reference[GUDEL_FP1_JOINTS], double q[][GUDEL_FP1_JOINTS], int counts[])
+{
+    if (p == NULL) {
+        p = &gudel_fp1_defaults;
+    }
+    if (!usable(p)) {
+        return GUDEL_FP1_BAD_PARAMETER;
+    }
+    int reached = 0;
+    lane_block block;
+    for (int first = 0; first < n; first += LANES) {
+        const int some = n - first < LANES ? n - first : LANES;
+        read_block(T, some, &block);
+        solve_block(p, &block);
+        for (int k = 0; k < some; ++k) {
+            int count = 0;
+            if (block.real[k] > 0.0 && block.marked[k] <= 0.0) {
+                for (int path = 0; path < GUDEL_FP1_MAX_SOLUTIONS; ++path) {
+                    for (int i = 0; i < GUDEL_FP1_JOINTS; ++i) {
+                        q[count][i] = block.q[path][i][k];
+                    }
+                    count += block.solved[path][k] > 0.0;
+                }
+            } else {
+                count = gudel_fp1_ik_near(T, p, reference, q);
+            }
+            counts[first + k] = count;
+            reached += count > 0;
+            T += 16;
+            q += GUDEL_FP1_MAX_SOLUTIONS;
+        }
+    }
+    return reached;
 }

@@ -98,8 +98,8 @@ def ik(T, *, reference=None, x0=0.109004, y0=1.365052, z0=0.882554):
     """
     if np.shape(T) != (4, 4):
         raise ValueError(f"a pose has the shape (4, 4), not {np.shape(T)}; ik_batch takes many")
-    q, valid = ik_batch(T, reference=reference, x0=x0, y0=y0, z0=z0)
-    return q[valid]
+    _check_parameters(x0=x0, y0=y0, z0=z0)
+    return _one_pose(T, reference, (x0, y0, z0))[0]
 
 
 def ik_batch(T, *, reference=None, x0=0.109004, y0=1.365052, z0=0.882554):
@@ -140,8 +140,7 @@ def solve(T, *, reference=None, x0=0.109004, y0=1.365052, z0=0.882554):
     reference = _reference(reference)
     if not _is_pose(T):
         return _solutions(np.empty((0, 3)), np.empty(0, dtype=int), *np.empty((2, 0), dtype=int), "not a pose")
-    q, valid, free, border = _in_blocks(T, reference, (x0, y0, z0))
-    return _solutions(q[valid], np.flatnonzero(valid), free[valid], border[valid])
+    return _solutions(*_one_pose(T, reference, (x0, y0, z0)))
 
 
 def within(T, *, limits=None, reference=None, x0=0.109004, y0=1.365052, z0=0.882554):
@@ -210,7 +209,7 @@ def _reference(reference):
 def _is_pose(T):
     """Whether T (4, 4) is a rigid motion."""
     try:
-        _read_poses(T[None], 0)
+        _read_pose(T.tolist())
     except ValueError:
         return False
     return True
@@ -278,6 +277,81 @@ def _wound(q, turns, low, high):
     return np.clip(q + 2.0 * np.pi * turns, low, high)
 
 
+def _one_pose(T, reference, parameters):
+    """The solutions of one pose: q (m, 3), their branches (m,), the bits of joints that are free and on a border (m,).
+
+    Plain numbers take a fifth of the time of arrays of length one. What is special is left to the arrays.
+    """
+    T = _array(T, (4, 4), "poses")
+    _references(reference, ())
+    pose = _read_pose(T.tolist())
+    try:
+        solutions, branches = _solve_one(pose, *parameters)
+    except (ArithmeticError, ValueError):
+        q, valid, free, border = _in_blocks(T, reference, parameters)
+        return q[valid], np.flatnonzero(valid), free[valid], border[valid]
+    unmarked = np.zeros(len(branches), dtype=np.int64)
+    return np.array(solutions).reshape(-1, 3), np.array(branches, dtype=np.int64), unmarked, unmarked
+
+
+def _solve_one(pose, x0, y0, z0):
+    """The solutions of one pose, as _read_pose gives it, and their branches.
+
+    Raises ArithmeticError or ValueError where one is special.
+    """
+    _, _, _, p_x, _, _, _, p_y, _, _, _, p_z, _ = pose
+    solutions, branches = [], []
+
+    # (1) d1: linear in a prismatic variable: p_z = d1 + x0
+    d1 = p_z - x0
+
+    # (2) d2: linear in a prismatic variable: p_y = d2 - y0
+    d2 = p_y + y0
+
+    # (3) d3: linear in a prismatic variable: p_x = z0 - d3
+    d3 = z0 - p_x
+    solutions.append((d1, d2, d3))
+    branches.append(0)
+    if not math.isfinite(sum(map(sum, solutions))):
+        raise ArithmeticError("an angle or a length is no finite number")
+    return solutions, branches
+
+
+def _read_pose(T):
+    """The rows of a pose T (4, 4), their rotation made orthogonal, one after another, then by how much it was off.
+
+    See _read_poses. Raises ValueError for what is no pose; written so that NaN fails.
+    """
+    (u_x, v_x, w_x, p_x), (u_y, v_y, w_y, p_y), (u_z, v_z, w_z, p_z), (h_u, h_v, h_w, h_p) = T
+    uu, uv = u_x * u_x + u_y * u_y + u_z * u_z - 1.0, u_x * v_x + u_y * v_y + u_z * v_z
+    vv, vw = v_x * v_x + v_y * v_y + v_z * v_z - 1.0, v_x * w_x + v_y * w_y + v_z * w_z
+    ww, uw = w_x * w_x + w_y * w_y + w_z * w_z - 1.0, u_x * w_x + u_y * w_y + u_z * w_z
+    defect = max(abs(uu), abs(uv), abs(uw), abs(vv), abs(vw), abs(ww))
+    determinant = (
+        u_x * (v_y * w_z - w_y * v_z) + v_x * (w_y * u_z - u_y * w_z) + w_x * (u_y * v_z - v_y * u_z)
+    )
+    bottom = abs(h_u) <= 1e-9 and abs(h_v) <= 1e-9 and abs(h_w) <= 1e-9 and abs(h_p - 1.0) <= 1e-9
+    if not (bottom and abs(p_x) + abs(p_y) + abs(p_z) < 1e150 and defect <= 1e-6 and determinant > 0.0):
+        raise ValueError("the pose is no rigid motion: its rotation must be right-handed and orthogonal to 1e-6")
+    if defect <= 1e-14:
+        return u_x, v_x, w_x, p_x, u_y, v_y, w_y, p_y, u_z, v_z, w_z, p_z, 0.0
+    return (
+        u_x - 0.5 * (u_x * uu + v_x * uv + w_x * uw),
+        v_x - 0.5 * (u_x * uv + v_x * vv + w_x * vw),
+        w_x - 0.5 * (u_x * uw + v_x * vw + w_x * ww),
+        p_x,
+        u_y - 0.5 * (u_y * uu + v_y * uv + w_y * uw),
+        v_y - 0.5 * (u_y * uv + v_y * vv + w_y * vw),
+        w_y - 0.5 * (u_y * uw + v_y * vw + w_y * ww),
+        p_y,
+        u_z - 0.5 * (u_z * uu + v_z * uv + w_z * uw),
+        v_z - 0.5 * (u_z * uv + v_z * vv + w_z * vw),
+        w_z - 0.5 * (u_z * uw + v_z * vw + w_z * ww),
+        p_z,
+        defect,
+    )
+
+
 def _in_blocks(T, reference, parameters):
     """The solutions of any number of poses, a block at a time."""
     T = _array(T, (4, 4), "poses")
@@ -286,17 +360,17 @@ def _in_blocks(T, reference, parameters):
     _references(reference, shape)
     q = np.empty((len(poses), MAX_SOLUTIONS, 3))
     valid = np.empty((len(poses), MAX_SOLUTIONS), dtype=bool)
-    free, border = np.empty((2, len(poses), MAX_SOLUTIONS), dtype=np.int64)
+    free, border = np.zeros((2, len(poses), MAX_SOLUTIONS), dtype=np.int64)
     for start in range(0, len(poses), _BLOCK):
         part = slice(start, start + _BLOCK)
         M, _ = _read_poses(poses[part], start)
-        q[part], valid[part], free[part], border[part] = _solve(M, *parameters)
+        _solve(q[part], valid[part], M, *parameters)
     return tuple(array.reshape(*shape, *array.shape[1:]) for array in (q, valid, free, border))
 
 
 @np.errstate(all="ignore")
-def _solve(M, x0, y0, z0):
-    """The solutions of a block of N poses M (3, 4, N): q (N, 1, 3) and valid (N, 1).
+def _solve(q, valid, M, x0, y0, z0):
+    """The solutions of a block of N poses M (3, 4, N), put into q (N, 1, 3) and valid (N, 1).
 
     Arrays end in the axis of poses; every step with two roots puts an axis of length 2 in front. Branches without a
     real solution carry numbers that mean nothing; they are masked at the end.
@@ -314,16 +388,16 @@ def _solve(M, x0, y0, z0):
     # (3) d3: linear in a prismatic variable: p_x = z0 - d3
     d3 = z0 - p_x
 
-    q = np.empty((M.shape[-1], 3))
-    q[..., 0] = d1
-    q[..., 1] = d2
-    q[..., 2] = d3
-    # The first branching step becomes the outermost: (poses, solutions, joints).
-    q = q.transpose(0, 1).reshape(-1, MAX_SOLUTIONS, 3)
-    valid = np.isfinite(q).all(axis=-1)
-    free = border = 0
-    q[~valid] = np.nan
-    return q, valid, free, border
+    # A sum is finite where all its terms are. The branches change places with the poses as the values are written.
+    shape = (M.shape[-1],)
+    real = np.isfinite(d1 + d2 + d3)
+    real = np.broadcast_to(real, shape)
+    empty = np.where(real, 0.0, np.nan)
+    values = q.reshape(M.shape[-1], 3).transpose(0, 1)
+    np.add(d1, empty, out=values[..., 0])
+    np.add(d2, empty, out=values[..., 1])
+    np.add(d3, empty, out=values[..., 2])
+    valid[:] = real.transpose(0).reshape(valid.shape)
 
 
 @np.errstate(all="ignore")
@@ -332,7 +406,7 @@ def _read_poses(T, start):
 
     The defect is 0 within rounding. Raises ValueError for what is no pose; written so that NaN fails.
     """
-    M = np.ascontiguousarray(np.moveaxis(T[:, :3], 0, -1))
+    M = np.moveaxis(T[:, :3], 0, -1).copy(order="C")
     R = M[:, :3]
     x, y, z = R
     G = x[:, None] * x + y[:, None] * y + z[:, None] * z - np.eye(3)[..., None]

@@ -52,8 +52,8 @@ def say_operations(report: Report, screen: Screen) -> None:
     """What each generated function computes, counted exactly; the solver that searches for roots has no count."""
     from kinsym.emit.operations import Operations
 
-    screen.say("Operations")
-    screen.say("----------")
+    screen.say("Operations of the C")
+    screen.say("-------------------")
     for key, name in (("forward", "fk"), ("inverse", "ik"), ("jacobian", "jacobian")):
         counts = report.operations.get(key)
         told = "as many as its search for roots takes" if counts is None else str(Operations(**counts))
