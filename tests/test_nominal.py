@@ -238,6 +238,7 @@ def test_a_robot_file_asks_for_it_and_comes_back() -> None:
             lambda: from_inline(PUMA.rsplit(";", 1)[0], convention="paul", name="cut", snapping=EXACT),
             "Lock a joint|closed form",
         ),
+        (lambda: replace(table("five"), task=Task.POSE), "five for a position and an axis"),
         (
             lambda: from_inline(
                 "pi/2 0 0.4 theta1; 0.0007 0.5 0 theta2; pi/2 0.02 0 theta3; -pi/2 0 0.6 theta4; pi/2 0 0 theta5; "
