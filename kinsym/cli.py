@@ -125,6 +125,11 @@ def _add_table(command: argparse.ArgumentParser) -> None:
         default=[],
         help="do not solve for a joint: it is an input, or held at VALUE (repeatable; instead of the file's locks)",
     )
+    command.add_argument(
+        "--nominal",
+        action="store_true",
+        help="an arm off a special one by real millimetres: that one's closed form, then Newton steps (docs/urdf.md)",
+    )
     _add_reading(command)
 
 

@@ -17,6 +17,10 @@ from kinsym.kinematics.forward import Forward
 from kinsym.kinematics.jacobian import Jacobian
 from kinsym.kinematics.singular import SingularSet, singular_set
 from kinsym.robot.model import Robot, Task
+from kinsym.robot.stand_in import StandIn
+
+MOST_TERMS = 500
+"""An entry of the pose with more terms than this is not written out; of the gallery's arms none has more than 30."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -25,6 +29,7 @@ class Derivation:
 
     ``chain`` has every joint, ``solved`` those that no lock holds: forward kinematics and Jacobian are of the one, the
     plan is of the other. Exactly one of ``plan`` (closed form) and ``general`` (one angle from a polynomial) is there.
+    Beside ``general`` there may be ``nominal``, the closed form of another arm that is asked first.
     """
 
     robot: Robot
@@ -34,11 +39,17 @@ class Derivation:
     jacobian: Jacobian
     plan: Plan | None
     general: GeneralPlan | None
+    nominal: Nominal | None = None
 
     @property
     def constants(self) -> tuple[Definition, ...]:
         """The constants of the table that are no polynomials: sqrt(2), cosines and sines of twists."""
         return _definitions(self.chain)
+
+    @property
+    def long(self) -> bool:
+        """Whether the entries of the pose, multiplied out, are too long for a page: twists and offsets all over."""
+        return any(len(entry) > MOST_TERMS for column in self.forward.columns for entry in column)
 
     @property
     def held(self) -> tuple[Definition, ...]:
@@ -70,6 +81,14 @@ class Derivation:
     def branches(self) -> Branches:
         """The names of the branches, in the order of the generated code."""
         return branches(self.solved, self.plan) if self.plan else Branches(names=(), meanings=())
+
+
+@dataclass(frozen=True, kw_only=True)
+class Nominal:
+    """The special arm next to a robot, with its closed form, and what tells the two apart."""
+
+    derivation: Derivation
+    stand_in: StandIn
 
 
 def _definitions(chain: Chain) -> tuple[Definition, ...]:

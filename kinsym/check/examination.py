@@ -18,7 +18,8 @@ from kinsym.check.batch import SINGLE_LAW, SINGLE_LIMIT, hold_batch
 from kinsym.check.control import hold_nearest, hold_status
 from kinsym.check.laws import CLOSURE, COPY, FORWARD, PATH, SAME, Judge, malformed, outward
 from kinsym.check.ledger import Ledger
-from kinsym.check.poses import KINDS, PAIR, UNIFORM, Counts, generator, held_samples, wrapped
+from kinsym.check.nominal import with_nominal_samples
+from kinsym.check.poses import KINDS, NOMINAL, PAIR, UNIFORM, Counts, generator, held_samples, wrapped
 from kinsym.check.singular import volume_of
 from kinsym.check.singular_set import hold_singular_set
 from kinsym.check.solvers import CSolver, ExactSolver, Floats, NumpySolver, Solutions, Solver, TreeKinematics
@@ -46,6 +47,11 @@ PAIR_PATH = 3e-6
 MORE_SOLUTIONS = 100
 AGREE_LIMIT = f"<= {SAME:g} or one double root; next to singular poses but for 1 in {MORE_SOLUTIONS}"
 
+#: At one in so many of the poses next to singular ones of the nominal arm a solution may be missed.
+MISSED = 100
+#: What Newton's steps leave at a random pose.
+ORDINARY = 1e-12
+
 TABLE_LIMIT = 1e-30
 SLOPE_LIMIT = 1e-8
 NOISE = 1e-9
@@ -59,6 +65,8 @@ JACOBIAN_LAW = "Jacobian equals the exact one"
 INVERSE_LAW = "FK(IK(T)) = T for every solution"
 FOUND_LAW = "the known joint vector is among the solutions"
 CLOSE_LAW = "the same next to singular poses"
+BESIDE_LAW = "the same at and next to singular poses of the nominal arm"
+ORDINARY_LAW = "FK(IK(T)) = T to the last digits at random poses"
 PAIR_LAW = "two singularities at once still have a solution"
 COPY_LAW = "no solution twice"
 RANGE_LAW = "angles in (-pi, pi]"
@@ -95,6 +103,8 @@ class Examination:
             self.kinematics, schedule.task, revolute, float(schedule.tau), CLOSURE if sifted(schedule) else PATH
         )
         self.samples = held_samples(schedule, self._volume, self.kinematics.size, counts, self.rng)
+        if schedule.nominal:
+            self.samples = with_nominal_samples(self.samples, schedule.nominal, self.kinematics, counts, self.rng)
         self.q = self.samples.q
         self.poses = self.exact.forward(self.q)
         self.solution_counts: Counter[int] = Counter()
@@ -142,7 +152,8 @@ class Examination:
 
     def poses_by_kind(self) -> dict[str, int]:
         """How many poses of each kind were tried."""
-        return {kind: int(self.samples.of(kind).sum()) for kind in KINDS}
+        kinds = [kind for kind in KINDS if kind != NOMINAL or self.schedule.nominal]
+        return {kind: int(self.samples.of(kind).sum()) for kind in kinds}
 
     def _volume(self, q: Floats) -> Floats:
         pose, jacobian = self.kinematics.forward(q), self.kinematics.jacobian(q)
@@ -185,7 +196,10 @@ class Examination:
 
     def _inverse(self, solver: Solver, answer: Solutions, which: Rows) -> None:
         (q, count), name = answer, solver.name
-        self.ledger.judge(INVERSE_LAW, name, self._closures(answer, self.poses[which]), CLOSURE)
+        closures = self._closures(answer, self.poses[which])
+        self.ledger.judge(INVERSE_LAW, name, closures, CLOSURE)
+        if self.schedule.nominal:
+            self.ledger.judge(ORDINARY_LAW, name, closures[self.samples.of(UNIFORM)[which]], ORDINARY)
         self._known(name, answer, which)
         self.ledger.count(COPY_LAW, name, len(which), self.judge.copies(q), limit=f"> {COPY:g} apart")
         angles = q[..., self.judge.revolute & self.kinematics.free]
@@ -199,8 +213,13 @@ class Examination:
         q, count = answer
         pair, close = self.samples.of(PAIR)[which], self._close[which]
         missed = ~self._found(q, which)
-        clear = ~close & ~pair
+        beside = self.samples.of(NOMINAL)[which]
+        clear = ~close & ~pair & ~beside
         self.ledger.count(FOUND_LAW, name, int(clear.sum()), int((missed & clear).sum()))
+        if self.schedule.nominal:
+            lost, limit = int((missed & beside).sum()), f"but for 1 in {MISSED}"
+            self.ledger.count(BESIDE_LAW, name, int(beside.sum()), _too_many(lost, beside, MISSED), limit=limit)
+            self.ledger.tally(f"{name}: next to singular poses of the nominal arm, known vector not found", lost)
         self.ledger.count(CLOSE_LAW, name, int(close.sum()), int((missed & close).sum()))
         self.ledger.count(PAIR_LAW, name, int(pair.sum()), int((pair & (count == 0)).sum()))
         self.ledger.tally(f"{name}: two singularities at once, known vector not found", int((pair & missed).sum()))
@@ -227,9 +246,12 @@ class Examination:
         if self.schedule.general:
             for row in np.flatnonzero(~sets & close):
                 sets[row] = self._regular_ones_agree(left, right, int(row), self.poses[which[row]])
-        odd = int((~sets & close).sum())
-        failed = int(np.where(uniform, ~same, ~sets & ~pair & ~close).sum())
-        failed += max(0, odd - 1 - int(close.sum()) // MORE_SOLUTIONS)
+        beside = self.samples.of(NOMINAL)[which]
+        odd, lost = int((~sets & close).sum()), int((~sets & beside).sum())
+        failed = int(np.where(uniform, ~same, ~sets & ~pair & ~close & ~beside).sum())
+        failed += _too_many(odd, close, MORE_SOLUTIONS) + _too_many(lost, beside, MISSED)
+        if self.schedule.nominal:
+            self.ledger.tally(f"{subject}: next to singular poses of the nominal arm, not the same solutions", lost)
         self.ledger.tally(f"{subject}: next to a singular pose, a solution more", odd)
         self.ledger.count(AGREE_LAW, subject, len(which), failed, limit=AGREE_LIMIT)
         self.ledger.tally(f"{subject}: at the edge of a tolerance band", int((~same & sets).sum()))
@@ -328,3 +350,8 @@ def _differences(table: TableKinematics, q: list[float]) -> Floats:
         spin = [[sum(slope[i][k] * here[j][k] for k in range(3)) for j in range(3)] for i in range(3)]
         columns.append([slope[0][3], slope[1][3], slope[2][3], spin[2][1], spin[0][2], spin[1][0]])
     return np.array(columns, dtype=np.float64).T
+
+
+def _too_many(failed: int, tried: NDArray[np.bool_], share: int) -> int:
+    """How many cases of those tried fail beyond one, and one in ``share``."""
+    return max(0, failed - 1 - int(tried.sum()) // share)

@@ -24,10 +24,11 @@ UNIFORM = "uniform"
 QUARTER = "quarter turns"
 SINGULAR = "singular"
 PAIR = "two at once"
+NOMINAL = "singular for the nominal arm"
 _Aimed = tuple[Floats, Floats]
 _TURNS = np.array((0.0, np.pi / 2, np.pi, -np.pi / 2))
 
-KINDS = (UNIFORM, QUARTER, SINGULAR, PAIR)
+KINDS = (UNIFORM, QUARTER, SINGULAR, PAIR, NOMINAL)
 
 #: Where the sequence of random numbers for parameters begins; poses of choice k use sequence k.
 PARAMETERS = 1000

@@ -63,6 +63,7 @@ class Report:
     files: Mapping[str, str] = field(default_factory=dict)
     measured: Mapping[str, Any] = field(default_factory=dict)
     deviation: Mapping[str, Any] | None = None
+    nominal: Mapping[str, Any] | None = None
 
     @property
     def verdict(self) -> str:
@@ -96,6 +97,7 @@ class Report:
             "files": dict(self.files),
             "table": list(self.table),
             **({} if self.deviation is None else {"deviation": dict(self.deviation)}),
+            **({} if self.nominal is None else {"nominal_arm": dict(self.nominal)}),
             MEASURED: dict(self.measured),
         }
 

@@ -6,20 +6,21 @@ import hashlib
 from collections.abc import Mapping
 from dataclasses import asdict
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from kinsym import __version__
 from kinsym.check.deviation import recorded
 from kinsym.check.figures import singular_figures
 from kinsym.check.report import Report
 from kinsym.emit.operations import inverse_operations, line_operations
+from kinsym.emit.prose.nominal import label
 from kinsym.robot.locking import lock_text
 from kinsym.robot.summary import to_toml
 from kinsym.robot.text import value_text
 
 if TYPE_CHECKING:
     from kinsym.check.compare import Findings
-    from kinsym.emit.schedule import Schedule
+    from kinsym.emit.schedule import NominalStarts, Schedule
     from kinsym.robot.model import Robot
 
 
@@ -47,7 +48,13 @@ def report_of(robot: Robot, schedule: Schedule, sources: Mapping[str, str], find
         files={name: hashlib.sha256(text.encode()).hexdigest() for name, text in sources.items()},
         measured=findings.measured if findings else {},
         deviation=None if robot.deviation is None else recorded(robot.deviation),
+        nominal=None if schedule.nominal is None else _nominal(schedule.nominal),
     )
+
+
+def _nominal(nominal: NominalStarts) -> dict[str, Any]:
+    """What solves the arm, what that guarantees, and in what the nominal arm differs."""
+    return {"says": list(label(nominal.deviation, nominal.band)), **recorded(nominal.deviation)}
 
 
 def _locked(robot: Robot, name: str) -> str:

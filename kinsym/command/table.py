@@ -33,6 +33,7 @@ def robot_of(options: argparse.Namespace) -> Robot:
         raise KinsymError("--dh has no links. Leave out --base-link and --tip-link.")
     if options.lock:
         robot = lock(robot, locks_of(options.lock), where="--lock")
+    robot = replace(robot, nominal=robot.nominal or options.nominal)
     return replace(robot, task=Task(options.task)) if options.task else robot
 
 

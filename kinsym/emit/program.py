@@ -6,9 +6,11 @@ what depends on theta1's branch once for each of its values, and so on.
 
 from __future__ import annotations
 
-from kinsym.algebra.tree import ONE, Call, Definition, Prod, Quot, Sym, Tree, mul, symbols
-from kinsym.derivation import Derivation
-from kinsym.emit.schedule import Assign, JointName, Note, Parameter, Schedule, Solve, Statement
+from kinsym.algebra.convert import tree_of
+from kinsym.algebra.tree import ONE, ZERO, Call, Definition, Prod, Quot, Sym, Tree, mul, symbols
+from kinsym.derivation import Derivation, Nominal
+from kinsym.emit.frames import jacobian_by_frames
+from kinsym.emit.schedule import Assign, JointName, NominalStarts, Note, Parameter, Schedule, Solve, Statement
 from kinsym.emit.singular import singular_poses
 from kinsym.emit.straight import forward_line, jacobian_line
 from kinsym.emit.text.formula import TextPrinter
@@ -39,7 +41,7 @@ def build_schedule(derivation: Derivation) -> Schedule:
         parameters=tuple(Parameter(name=name, value=value) for name, value in robot.parameters.items()),
         constants=derivation.constants,
         forward=forward_line(chain),
-        jacobian=jacobian_line(chain, derivation.jacobian),
+        jacobian=jacobian_by_frames(chain) if derivation.long else jacobian_line(chain, derivation.jacobian),
         inverse=levels.statements(),
         solution=robot.variables,
         depth=levels.depth,
@@ -54,8 +56,20 @@ def build_schedule(derivation: Derivation) -> Schedule:
         general=derivation.general,
         branches=derivation.branches.names,
         meanings=derivation.branches.meanings,
+        nominal=_nominal(derivation.nominal, robot.variables) if derivation.nominal else None,
         lengths=constant_lengths(chain),
         nonzero=plan.nonzero,
+    )
+
+
+def _nominal(nominal: Nominal, variables: tuple[str, ...]) -> NominalStarts:
+    """What the generated code asks of the nominal arm."""
+    offsets = nominal.stand_in.offsets
+    return NominalStarts(
+        schedule=build_schedule(nominal.derivation),
+        offsets=tuple(tree_of(offsets[name]) if name in offsets else ZERO for name in variables),
+        band=nominal.stand_in.band,
+        deviation=nominal.stand_in.deviation,
     )
 
 

@@ -14,7 +14,7 @@ from kinsym.general.plan import GeneralPlan
 from kinsym.inverse.families import Family
 from kinsym.inverse.plan import Definition, Nonzero, Step
 from kinsym.kinematics.singular import SingularSet
-from kinsym.robot.model import Task
+from kinsym.robot.model import Deviation, Task
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -80,6 +80,20 @@ class SingularPoses:
 
 
 @dataclass(frozen=True, kw_only=True)
+class NominalStarts:
+    """The closed form of the nominal arm, whose solutions are where Newton's steps with the true arm start.
+
+    ``offsets`` are what its joint values are ahead of the true arm's; ``band`` is how far beside a border of it a root
+    is in doubt, as a share of its equation's unit; ``deviation`` says in what the two arms differ.
+    """
+
+    schedule: Schedule
+    offsets: tuple[Tree, ...]
+    band: Fraction
+    deviation: Deviation
+
+
+@dataclass(frozen=True, kw_only=True)
 class Schedule:
     """All that a generated module computes.
 
@@ -93,6 +107,7 @@ class Schedule:
     singular    what the comments say of singular poses and the checks try; nothing is computed from it.
     branches    the names of the branches by their number, empty where the solutions have only numbers.
     meanings    what the words in these names mean, one sentence each.
+    nominal     the closed form that is asked before the general solver, None where there is none.
     maximum     the largest number of solutions, the product of ``widths``.
     lengths     the sum of the arm's constant lengths.
     nonzero     what must not vanish for the inverse kinematics to be right, over parameters and constants.
@@ -122,6 +137,7 @@ class Schedule:
     general: GeneralPlan | None = None
     branches: tuple[str, ...] = ()
     meanings: tuple[str, ...] = ()
+    nominal: NominalStarts | None = None
     lengths: Tree = ONE
     nonzero: tuple[Nonzero, ...] = ()
 

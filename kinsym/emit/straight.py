@@ -57,20 +57,20 @@ def forward_line(chain: Chain) -> StraightLine:
                 entries.append(entry if entry.is_ground else ring[key])
             columns[name] = (entries[0], entries[1], entries[2])
     outputs = tuple(trees[f"{n}_{r}"] for r in "xyz" for n in "uvwp")
-    return _with_angles(chain, definitions, outputs)
+    return with_angles(chain, definitions, outputs)
 
 
 def jacobian_line(chain: Chain, jacobian: Jacobian) -> StraightLine:
     """The 6 n entries of the Jacobian, row by row."""
     outputs = tuple(entry for row in jacobian.entries for entry in row)
-    return _with_angles(chain, list(jacobian.definitions), outputs)
+    return with_angles(chain, list(jacobian.definitions), outputs)
 
 
 def _plain(tree: Tree) -> bool:
     return isinstance(tree, (Num, Sym)) or isinstance(negated(tree), Sym)
 
 
-def _with_angles(chain: Chain, definitions: list[Definition], outputs: tuple[Tree, ...]) -> StraightLine:
+def with_angles(chain: Chain, definitions: list[Definition], outputs: tuple[Tree, ...]) -> StraightLine:
     """Put the cosines and sines that are used in front, and leave out what is not."""
     wanted = {name for tree in outputs for name in symbols(tree)}
     kept: list[Definition] = []

@@ -58,7 +58,7 @@ def geometric_jacobian(chain: Chain, forward: Forward) -> Jacobian:
         z = named(axis, f"z{number}")
         if joint.kind == "R":
             lever = named(point, f"o{number}")
-            columns.append((*_cross(z, (sub(end[0], lever[0]), sub(end[1], lever[1]), sub(end[2], lever[2]))), *z))
+            columns.append((*cross(z, (sub(end[0], lever[0]), sub(end[1], lever[1]), sub(end[2], lever[2]))), *z))
         else:
             columns.append((*z, ZERO, ZERO, ZERO))
     rows = tuple(zip(*columns, strict=True))
@@ -88,7 +88,7 @@ def _plain(tree: Tree) -> bool:
     return isinstance(tree, (Num, Sym)) or negated(tree) == ONE or isinstance(negated(tree), Sym)
 
 
-def _cross(left: Column, right: Column) -> Column:
+def cross(left: Column, right: Column) -> Column:
     (a, b, c), (x, y, z) = left, right
     return (
         _difference(b, z, c, y),

@@ -27,7 +27,10 @@ from kinsym.robot.rows import check_keys, read_rows
 from kinsym.robot.snapping import EXACT, ROUNDING, Snapping
 from kinsym.robot.special import special
 
-KEYS = ("name", "title", "convention", "task", "joints", "home", "parameters", "base", "tool", "locks", "source")
+KEYS = (
+    *("name", "title", "convention", "task", "joints", "home", "parameters", "base", "tool", "locks", "nominal"),
+    "source",
+)
 LONGEST_LINE = 500
 
 _NO_BINDINGS: Mapping[str, Fraction] = {}
@@ -79,6 +82,7 @@ def from_draft(
         convention=convention,
         joints=(),
         task=_task(draft, where),
+        nominal=_nominal(draft, where),
         source=_line(draft, "source", where),
     )
     robot, written = _with_table(robot, draft, where, snapping, changes), robot
@@ -191,6 +195,17 @@ def _task(draft: Mapping[str, object], where: str) -> Task | None:
             where=f"{where}, task",
             remedy=f"{nearest(text.lower(), known)}The tasks are {', '.join(known)}.",
         ) from None
+
+
+def _nominal(draft: Mapping[str, object], where: str) -> bool:
+    value = draft.get("nominal", False)
+    if not isinstance(value, bool):
+        raise RobotError(
+            f"nominal is {shown(str(value))}, neither true nor false",
+            where=f"{where}, nominal",
+            remedy="Write nominal = true, without quotes, or leave it out.",
+        )
+    return value
 
 
 def _parameter_values(draft: Mapping[str, object], where: str) -> dict[str, Fraction]:

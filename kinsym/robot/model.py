@@ -114,6 +114,7 @@ class Robot:
     ``base`` and ``tool`` are 4x4 matrices or None. ``task`` is None when the user leaves the choice to kinsym.
     ``locks`` holds the joints that the inverse kinematics does not solve for, in their order: each with the value that
     it is held at (radians or length), or None where the caller of the solver gives it.
+    ``nominal`` asks for the closed form of the special arm next to this one, corrected by its own forward kinematics.
     ``deviation`` says what was read otherwise than written, None if nothing was.
     """
 
@@ -127,6 +128,7 @@ class Robot:
     base: Matrix | None = None
     tool: Matrix | None = None
     locks: dict[str, Expr | None] = field(default_factory=dict)
+    nominal: bool = False
     source: str = ""
     notes: tuple[str, ...] = ()
     deviation: Deviation | None = None

@@ -68,6 +68,8 @@ def to_toml(robot: Robot) -> str:
         lines.append(f"task = {_quoted(robot.task.value)}")
     if robot.source:
         lines.append(f"source = {_quoted(robot.source)}")
+    if robot.nominal:
+        lines.append("nominal = true")
     lines += ["joints = [", *(f"  {{ {_row(joint)} }}," for joint in robot.joints), "]"]
     if robot.home:
         lines.append("[home]")

@@ -8,9 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from kinsym.deriving import derive
 from kinsym.emit import TARGETS
 from kinsym.emit.program import build_schedule
 from kinsym.emit.schedule import Schedule
+from kinsym.robot import from_inline
 from tests.arms import derivation
 from tests.emit.built import CLibrary, needs_compiler, same_angles
 from tests.emit.schedules import planar_2r, polar, puma
@@ -146,6 +148,16 @@ def test_forward_kinematics(name: str) -> None:
     one = np.array([built.fk(each, lengths_of(name)) for each in q])
     size = np.fmax(1.0, np.nanmax(np.abs(np.where(np.isinf(one), 0.0, one)), axis=(1, 2), keepdims=True))
     np.testing.assert_allclose(built.fk_batch(q, lengths_of(name)) / size, one / size, atol=1e-14)
+
+
+def test_an_arm_whose_numbers_are_constants_alone() -> None:
+    """Twists that are no special angles, and no length: there is nothing to read of the parameters."""
+    rows = "1 0 0 theta1; 1.2 0 0 theta2; 0 0 0 theta3"
+    schedule = build_schedule(derive(from_inline(rows, convention="paul", name="twisted")))
+    assert schedule.constants
+    assert not schedule.parameters
+    built, q = CLibrary(schedule), joint_vectors(schedule)
+    np.testing.assert_allclose(built.fk_batch(q), [built.fk(each) for each in q], atol=1e-14)
 
 
 def test_other_parameters_and_what_they_must_be() -> None:

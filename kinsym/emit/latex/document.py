@@ -15,9 +15,11 @@ from kinsym.emit.environment import Delimiters, environment
 from kinsym.emit.latex.general import general_passages
 from kinsym.emit.latex.layout import SMALL, Block, Display, Matrix, Relation, aligned, chunks, matrices, table_fits
 from kinsym.emit.latex.names import link, pose
+from kinsym.emit.latex.nominal import about
 from kinsym.emit.latex.passages import Formulas, Passages
 from kinsym.emit.latex.sentences import capital, escape, prose
 from kinsym.emit.latex.singular import singular_section
+from kinsym.emit.prose.nominal import IN_DOUBT
 from kinsym.emit.prose.vocabulary import angle_sums, joint_angles
 from kinsym.emit.prose.wording import (
     CONVENTIONS,
@@ -221,6 +223,19 @@ def document(derivation: Derivation) -> str:
 
     The same derivation gives the same bytes: no date, no path.
     """
+    context = _context(derivation) | {"nominal": "", "in_doubt": IN_DOUBT}
+    if derivation.nominal is not None:
+        context["nominal"] = _rendered("nominal", _context(derivation.nominal.derivation) | about(derivation.nominal))
+    text = _rendered("document", context)
+    return re.sub(r"\n{3,}", "\n\n", re.sub(r" +\n", "\n", text))
+
+
+def _rendered(template: str, context: dict[str, Any]) -> str:
+    return environment(_DELIMITERS).get_template(f"latex/{template}.tex.j2").render(context)
+
+
+def _context(derivation: Derivation) -> dict[str, Any]:
+    """What the templates read of one derivation."""
     writer = _Writer(derivation)
     robot: Robot = derivation.robot
     plan = derivation.plan or derivation.general
@@ -253,16 +268,19 @@ def document(derivation: Derivation) -> str:
         "product": writer.product(),
         "framed": writer.framed(),
         "prime": "'" if writer.framed() else "",
-        "entries": writer.entries(),
-        "axes": writer.definitions(axis_definitions(derivation.forward, derivation.jacobian)),
-        "jacobian": writer.jacobian(),
+        "long": derivation.long,
+        "entries": () if derivation.long else writer.entries(),
+        "axes": ()
+        if derivation.long
+        else writer.definitions(axis_definitions(derivation.forward, derivation.jacobian)),
+        "jacobian": () if derivation.long else writer.jacobian(),
+        "singular_title": "Singular poses",
         "maximum": plan.maximum,
         "poses": singular_section(writer),
         "general": isinstance(plan, GeneralPlan),
     }
     context |= writer.closed_form(plan) if isinstance(plan, Plan) else writer.without_closed_form(plan)
-    text = environment(_DELIMITERS).get_template("latex/document.tex.j2").render(context)
-    return re.sub(r"\n{3,}", "\n\n", re.sub(r" +\n", "\n", text))
+    return context
 
 
 def _listed(table: Sequence[Sequence[str]]) -> tuple[Block, ...]:

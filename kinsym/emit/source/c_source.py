@@ -14,7 +14,7 @@ from typing import Any, ClassVar
 from kinsym.algebra.tree import ONE, ZERO, Tree
 from kinsym.emit.environment import render
 from kinsym.emit.printer import Printer, decimal
-from kinsym.emit.schedule import Schedule
+from kinsym.emit.schedule import NominalStarts, Schedule
 from kinsym.emit.source.banner import banner, c_comment
 from kinsym.emit.source.c_batch import LANES, batch_of, waves
 from kinsym.emit.source.c_ending import c_ending
@@ -23,7 +23,8 @@ from kinsym.emit.source.control import c_limits, control_names
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import kernels_used
 from kinsym.emit.source.marks import c_marks
-from kinsym.emit.source.needs import ENTRIES, InverseNeeds, inverse_needs, line_needs
+from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
+from kinsym.emit.source.nominal import nominal_names
 from kinsym.emit.source.regular import regular_names
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
@@ -106,9 +107,28 @@ def c_source(schedule: Schedule) -> dict[str, str]:
             "general": general_names(schedule, schedule.general, printer),
             "functions": names["functions"] | {"wrap"},
         }
+    if schedule.nominal:
+        names |= _nominal(schedule, schedule.nominal, printer)
     return {
         f"{schedule.name}.h": render("c/header.h.jinja", **names),
         f"{schedule.name}.c": render("c/source.c.jinja", **names),
+    }
+
+
+def _nominal(schedule: Schedule, nominal: NominalStarts, printer: Printer) -> dict[str, Any]:
+    """The closed form that is asked first, and the helpers that it calls."""
+    starts = nominal_names(schedule, nominal, printer)
+    pose = f"const double M[12], const {schedule.name}_params *p"
+    return {
+        "kernels": starts["kernels"],
+        "virtual": schedule.general is not None and schedule.general.virtual,
+        "functions": functions_used(schedule) | functions_used(nominal.schedule) | {"wrap"},
+        "starts": {
+            **starts,
+            "entries": _entries(starts["inverse"]),
+            "head": f"static int nominal_starts({pose}, double q[][6], int *doubt)",
+            "corrected_head": f"static int corrected({pose}, const arm *a, solutions *all)",
+        },
     }
 
 

@@ -51,7 +51,7 @@ def general_names(schedule: Schedule, plan: GeneralPlan, inverse: InverseNeeds, 
         "found": len(plan.kinds) if plan.gate else len(solved),
         "held": held,
         "whole_head": head("_whole", ["q", *read]),
-        "whole_of": lambda q: f"_whole({', '.join([q, *_looked_up(read)])})",
+        "whole_of": lambda q: f"_whole({', '.join([q, *looked_up(read)])})",
         "own_parameters": "{name: parameters[name] for name in PARAMETERS}" if schedule.inputs else "parameters",
         "link_entries": entries,
         "links_head": head("_links", needed),
@@ -72,7 +72,8 @@ def general_names(schedule: Schedule, plan: GeneralPlan, inverse: InverseNeeds, 
     }
 
 
-def _looked_up(names: Sequence[str]) -> list[str]:
+def looked_up(names: Sequence[str]) -> list[str]:
+    """What a function takes from the parameters of the arm."""
     return [f'parameters["{name}"]' for name in names]
 
 

@@ -11,14 +11,15 @@ from typing import Any, ClassVar
 from kinsym.algebra.tree import ZERO, Tree
 from kinsym.emit.environment import render
 from kinsym.emit.printer import Printer, decimal
-from kinsym.emit.schedule import Schedule
+from kinsym.emit.schedule import NominalStarts, Schedule
 from kinsym.emit.source.banner import banner, python_docstring, python_string
 from kinsym.emit.source.control import control_names, python_limits
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import ANGLE, KERNELS, kernels_used
 from kinsym.emit.source.marks import numpy_marks
 from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
-from kinsym.emit.source.numpy_general import general_names
+from kinsym.emit.source.nominal import nominal_names
+from kinsym.emit.source.numpy_general import general_names, looked_up
 from kinsym.emit.source.numpy_scalar import has_scalar_path, scalar_names
 from kinsym.emit.source.python_text import code, comment, head, names_tuple
 from kinsym.emit.source.regular import regular_names
@@ -82,6 +83,8 @@ def numpy_source(schedule: Schedule) -> dict[str, str]:
     names["scalar"] = scalar_names(schedule, inverse, names["solving"]) if has_scalar_path(schedule) else None
     if schedule.general:
         names |= general_names(schedule, schedule.general, inverse, printer)
+    if schedule.nominal:
+        names |= _nominal(schedule, schedule.nominal, printer)
     return {f"{schedule.name}.py": render("numpy/module.py.jinja", **names)}
 
 
@@ -143,6 +146,21 @@ def _regular(schedule: Schedule, printer: Printer) -> dict[str, Any]:
         ],
         "nonzero_head": head("_check_nonzero", given),
         "check_nonzero": code("", f"_check_nonzero({', '.join(given)})"),
+    }
+
+
+def _nominal(schedule: Schedule, nominal: NominalStarts, printer: Printer) -> dict[str, Any]:
+    """The closed form that is asked first, and the helpers that it calls."""
+    starts = nominal_names(schedule, nominal, printer)
+    inputs = starts["inverse"].inputs
+    return {
+        **_helpers(starts["inverse"]),
+        "functions": functions_used(schedule) | functions_used(nominal.schedule),
+        "starts": {
+            **starts,
+            "head": head("_nominal_starts", ["M", *inputs]),
+            "call": f"_nominal_starts({', '.join(['M', *looked_up(inputs)])})",
+        },
     }
 
 

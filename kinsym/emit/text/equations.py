@@ -6,10 +6,12 @@ source.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from kinsym.algebra.convert import tree_of
 from kinsym.algebra.tree import Definition, Tree
+from kinsym.emit.prose.nominal import IN_DOUBT, LONG, NOMINAL, SINGULAR, TITLE
 from kinsym.emit.prose.vocabulary import angle_sums, joint_angles
 from kinsym.emit.prose.wording import (
     CONVENTIONS,
@@ -34,6 +36,7 @@ from kinsym.emit.prose.wording import (
 )
 from kinsym.emit.text.general import general_steps
 from kinsym.emit.text.given import assumed, given, held
+from kinsym.emit.text.nominal import nominal_arm
 from kinsym.emit.text.page import Page
 from kinsym.emit.text.singular import singular_poses
 from kinsym.inverse.cut import link_letter
@@ -42,7 +45,7 @@ from kinsym.inverse.state import span
 from kinsym.robot.model import Convention, Robot, Vector
 
 if TYPE_CHECKING:
-    from kinsym.derivation import Derivation
+    from kinsym.derivation import Derivation, Nominal
     from kinsym.kinematics.forward import Forward
     from kinsym.kinematics.jacobian import Jacobian
 
@@ -128,6 +131,8 @@ def forward_kinematics(derivation: Derivation, page: Page | None = None) -> str:
     around = [*(["base"] if robot.base else []), "T'", *(["tool"] if robot.tool else [])]
     framed = len(around) > 1
     head = f"  T' = {product} = [u' v' w' p'], T = {' '.join(around)}" if framed else f"  T = {product} = [u v w p]"
+    if derivation.long:
+        return f"{head}\n{page.prose(LONG)}"
     prime = "'" if framed else ""
     entries = ((name, forward.pose[row][column]) for column, name_row in enumerate(POSE) for row, name in name_row)
     lines = (page.equation(f"{name[0]}{prime}{name[1:]}", entry) for name, entry in entries)
@@ -266,7 +271,7 @@ def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, f
     ``full`` adds the link transforms and the Jacobian; ``ascii`` writes ``+-`` for ``±``.
     """
     page = Page(width=width, ascii=ascii)
-    robot, plan = derivation.robot, derivation.plan
+    robot = derivation.robot
     title = one_line(robot.title) or robot.name
     sections = [
         f"{title}\n{'=' * len(title)}",
@@ -274,19 +279,40 @@ def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, f
         f"{_heading('Parameters')}\n{parameters(robot)}",
         f"{_heading('Notation')}\n{notation(derivation, page)}",
     ]
-    if full:
+    if full or derivation.long:
         sections.append(f"{_heading('Link transforms')}\n{links(robot, derivation.forward, page)}")
     sections.append(f"{_heading('Forward kinematics')}\n{forward_kinematics(derivation, page)}")
-    if full:
+    if full and not derivation.long:
         sections.append(f"{_heading('Jacobian')}\n{jacobian(derivation.forward, derivation.jacobian, page)}")
+    if derivation.nominal is not None:
+        sections += _beside(derivation.nominal, page)
     if derivation.general is not None:
-        sections.append(f"{_heading('Inverse kinematics')}\n{general_steps(derivation, derivation.general, page)}")
+        title = "Inverse kinematics" if derivation.nominal is None else IN_DOUBT
+        sections.append(f"{_heading(title)}\n{general_steps(derivation, derivation.general, page)}")
         sections.append(f"{_heading('Solutions')}\n  at most {counted(derivation.general.maximum, 'solution')}")
-    if plan is not None:
-        sections.append(f"{_heading('Inverse kinematics')}\n{derivation_steps(derivation, plan, page)}")
-        if found := joint_values(plan, page):
-            sections.append(f"{_heading('Joint values')}\n{found}")
-        sections.append(f"{_heading('Solutions')}\n{solutions(derivation, plan, page)}")
+    sections += _closed_form(derivation, "Inverse kinematics", page)
     poses = singular_poses(derivation.singular, derivation.families, page)
     sections.append(f"{_heading('Singular poses')}\n{poses}")
     return "\n\n".join(sections) + "\n"
+
+
+def _closed_form(derivation: Derivation, title: str, page: Page) -> Iterator[str]:
+    """The sections of an inverse kinematics in closed form."""
+    plan = derivation.plan
+    if plan is None:
+        return
+    yield f"{_heading(title)}\n{derivation_steps(derivation, plan, page)}"
+    if found := joint_values(plan, page):
+        yield f"{_heading('Joint values')}\n{found}"
+    yield f"{_heading('Solutions')}\n{solutions(derivation, plan, page)}"
+
+
+def _beside(nominal: Nominal, page: Page) -> Iterator[str]:
+    """The nominal arm, its closed form and its singular poses."""
+    arm = nominal.derivation
+    yield f"{_heading(TITLE)}\n{nominal_arm(nominal, page)}"
+    yield f"{_heading('Table of the nominal arm')}\n{table(arm.robot, page)}\n\n{parameters(arm.robot)}"
+    yield f"{_heading('Its notation')}\n{notation(arm, page)}"
+    yield from _closed_form(arm, NOMINAL, page)
+    poses = singular_poses(arm.singular, arm.families, page)
+    yield f"{_heading(SINGULAR)}\n{poses}"
