@@ -20,8 +20,8 @@ BENT = ("open_manipulator_x", "ufactory_xarm6", "viperx_300s", "widowx_200")
 
 SKEW = "nao_left_leg"
 
-ODD = ("kinova_jaco",)
-"""Angles of 75, 100 and 128 degrees become other constants on the way, so that coefficients cannot be compared."""
+ODD = ("kinova_jaco", "raven_2")
+"""Angles of 52, 75, 100 and 128 degrees become other constants on the way, so that coefficients cannot be compared."""
 
 CONVERTIBLE = [name for name in gallery() if name not in (*BENT, *ODD, SKEW)]
 
