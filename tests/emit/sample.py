@@ -148,6 +148,8 @@ def _derivation(
         jacobian=jacobian,
         plan=plan,
         general=None,
+        nominal=None,
+        long=False,
         constants=(),
         singular=SingularSet(task=plan.task, square=True, constant=ONE, conditions=(), exhaustive=True, split=True),
         families=(),
