@@ -1252,6 +1252,10 @@ static void sample_anew(const pencil *f, int bordered, double low, double high, 
     const limits limit = {level < 2 ? 1e-8 : 0.0, 0.3, 1e-4 / across, 1e-14, 1e-6, 2e-3 / across};
     mark marks[24];
     const int count = isolate(10, c, &limit, 24, marks);
+    if (level > 0 && count == 0) {
+        /* too small twice, and then rounding shows no root: where four roots meet there is nothing but rounding */
+        add_root(r, 0.5 * (low + high), TWOFOLD);
+    }
     for (int i = 0; i < count; ++i) {
         const double from = low + across * marks[i].low, to = low + across * marks[i].high;
         if (marks[i].kind == LOW) {
@@ -1978,7 +1982,7 @@ static int keep(const arm *a, solutions *all, const double x[6], double off)
 }
 
 /* Whether there is a simple root to which no solution can be assigned, one to each; with the border two to each
- * root at which the matrix loses two ranks. */
+ * root at which the matrix loses two ranks. A root that is farther off than 1e-5 has others close to it. */
 static int unowned(const cut *way, const roots *found, const solutions *all)
 {
     int taken[MOST] = {0};
@@ -1987,7 +1991,7 @@ static int unowned(const cut *way, const roots *found, const solutions *all)
         const double angle = wrap(r->angle);
         int wanted = way->bordered ? 2 * (r->ratio < 1e-4) : !r->twofold;
         for (int k = 0; k < all->count && wanted > 0; ++k) {
-            if (!taken[k] && fabs(difference(0, all->q[k][way->order[2]], angle)) < 1e-4) {
+            if (!taken[k] && fabs(difference(0, all->q[k][way->order[2]], angle)) < 1e-5) {
                 taken[k] = 1;
                 --wanted;
             }

@@ -1177,6 +1177,11 @@ def _sampled_again(cut, system, pose, start, end, level):
     values = _normalized(values)
     rules = _ON_LAST_INTERVALS if level == 2 else _ON_INTERVALS
     simple, double, again = _isolated(values @ _LOCAL_TABLE.T, end - start, rules)
+    if level:
+        # too small twice, and then rounding shows no root: where four roots meet there is nothing but rounding
+        seen = np.concatenate([simple[0], double[0], again[0]])
+        blank = np.setdiff1d(np.arange(len(pose)), seen)
+        double = np.concatenate([double[0], blank]), np.concatenate([double[1], np.full(len(blank), 0.5)])
 
     def place(item, *parts):
         return pose[item], *(start[item] + (end - start)[item] * u for u in parts)
