@@ -50,6 +50,8 @@ _BASE, _TOOL = r"T_{\mathrm{base}}", r"T_{\mathrm{tool}}"
 #: A table of parameters with a longer name than this is set in a smaller type.
 _LONGEST_NAME = 24
 _WORDS = {2: "two", 4: "four"}
+#: Letters of a formula that fills half a line.
+_UNBROKEN = 45
 
 
 class _Writer(Formulas):
@@ -126,7 +128,10 @@ class _Writer(Formulas):
 
     def assumed(self, plan: Plan | GeneralPlan) -> str:
         """What must not vanish for the inverse kinematics to be right."""
-        return ", ".join(f"${self.formula(item.value)} \\neq 0$" for item in plan.nonzero)
+        formulas = [f"${self.formula(item.value)} \\neq 0$" for item in plan.nonzero]
+        # a name that fills half a line cannot be broken, so the words around it must be allowed to stretch
+        stretch = "\\sloppy\n" if max(map(len, formulas), default=0) > _UNBROKEN else ""
+        return stretch + ", ".join(formulas)
 
     def links(self) -> tuple[Display, ...]:
         """The link transforms."""

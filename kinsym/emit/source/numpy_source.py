@@ -6,6 +6,7 @@ step is written as for one pose and NumPy broadcasts it over poses and branches.
 
 from __future__ import annotations
 
+import textwrap
 from typing import Any, ClassVar
 
 from kinsym.algebra.tree import ZERO, Tree
@@ -22,9 +23,10 @@ from kinsym.emit.source.nominal import nominal_names
 from kinsym.emit.source.numpy_general import general_names, looked_up
 from kinsym.emit.source.numpy_scalar import has_scalar_path, scalar_names
 from kinsym.emit.source.python_text import code, comment, head, names_tuple
-from kinsym.emit.source.regular import regular_names
+from kinsym.emit.source.regular import Vanishing, regular_names
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
+from kinsym.emit.source.wrapping import WIDTH, cut
 
 
 class NumpyPrinter(Printer):
@@ -141,9 +143,7 @@ def _regular(schedule: Schedule, printer: Printer) -> dict[str, Any]:
     names = regular_names(schedule, printer)
     given = [parameter.name for parameter in names["regular"].parameters]
     return names | {
-        "nonzero": [
-            f'_not_zero({item.value}, {item.least}, "{item.name}", "{item.remedy}")' for item in names["vanishing"]
-        ],
+        "nonzero": [_not_zero(item) for item in names["vanishing"]],
         "nonzero_head": head("_check_nonzero", given),
         "check_nonzero": code("", f"_check_nonzero({', '.join(given)})"),
     }
@@ -162,6 +162,18 @@ def _nominal(schedule: Schedule, nominal: NominalStarts, printer: Printer) -> di
             "call": f"_nominal_starts({', '.join(['M', *looked_up(inputs)])})",
         },
     }
+
+
+def _not_zero(item: Vanishing) -> str:
+    """The test of one value; a long one has a line for each argument, and a string is not cut within a word."""
+    call = f'_not_zero({item.value}, {item.least}, "{item.name}", "{item.remedy}")'
+    if len(call) <= WIDTH - 4:
+        return code("", call)
+    lines = [*cut(f"{item.value},", WIDTH - 8), f"{item.least},"]
+    for text in (item.name, item.remedy):
+        *pieces, last = textwrap.wrap(text, WIDTH - 12, drop_whitespace=False)
+        lines += [*(f'"{piece}"' for piece in pieces), f'"{last}",']
+    return "\n".join(["    _not_zero(", *(f"        {line}" for line in lines), "    )"])
 
 
 def _helpers(inverse: InverseNeeds) -> dict[str, Any]:
