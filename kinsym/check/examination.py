@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from kinsym.check.batch import SINGLE_LAW, SINGLE_LIMIT, hold_batch
 from kinsym.check.control import hold_nearest, hold_status
+from kinsym.check.definition import hold_definition
 from kinsym.check.laws import CLOSURE, COPY, FORWARD, PATH, SAME, Judge, malformed, outward
 from kinsym.check.ledger import Ledger
 from kinsym.check.nominal import with_nominal_samples
@@ -52,14 +53,10 @@ MISSED = 100
 #: What Newton's steps leave at a random pose.
 ORDINARY = 1e-12
 
-TABLE_LIMIT = 1e-30
-SLOPE_LIMIT = 1e-8
 NOISE = 1e-9
 #: Solutions whose volume is below this share of the usual one may be points of a curve of solutions.
 REGULAR = 1e-3
 
-TABLE = "forward kinematics equal the table's product of transforms, with 50 digits"
-DERIVATIVE = "Jacobian equals the derivative of the table's transforms, with 50 digits"
 FORWARD_LAW = "forward kinematics equal the exact ones"
 JACOBIAN_LAW = "Jacobian equals the exact one"
 INVERSE_LAW = "FK(IK(T)) = T for every solution"
@@ -115,7 +112,8 @@ class Examination:
         some = every[:: max(1, len(every) // self.counts.exact)]
         slopes = self.rng.permutation(len(self.q))[:JACOBIAN_POSES]
         noisy = self._noisy()
-        self._against_the_table(slopes)
+        rows = self.rng.permutation(len(self.q))[:TABLE_POSES]
+        hold_definition(self.ledger, self.exact, self.table, q=self.q[rows], slopes=self.q[slopes])
         oracle = self.exact.inverse(self.poses[some], self.q[some])
         self._inverse(self.exact, oracle, some)
         self._refusals(self.exact)
@@ -163,19 +161,6 @@ class Examination:
     @property
     def _length(self) -> float:
         return self.kinematics.size if self.kinematics.size > 0 else 1.0
-
-    def _against_the_table(self, slopes: Rows) -> None:
-        errors = []
-        for joints in self.q[self.rng.permutation(len(self.q))[:TABLE_POSES]].tolist():
-            direct, derived = self.table.forward(joints), self.exact.walk.forward(joints)
-            far = max(self.exact.walk.size, 1, *(abs(row[3]) for row in direct[:3]))
-            gap = max(abs(direct[i][j] - derived[i][j]) for i in range(3) for j in range(4))
-            errors.append(float(gap / far))
-        self.ledger.judge(TABLE, "", np.array(errors), TABLE_LIMIT)
-        exact = self.exact.jacobian(self.q[slopes])
-        wanted = np.array([_differences(self.table, joints) for joints in self.q[slopes].tolist()])
-        scale = np.maximum(np.abs(wanted).max(axis=(1, 2)), 1.0)
-        self.ledger.judge(DERIVATIVE, "", np.abs(exact - wanted).max(axis=(1, 2)) / scale, SLOPE_LIMIT)
 
     def _forward(self, target: Solver, slopes: Rows) -> None:
         scale = np.ones_like(self.poses)
@@ -333,23 +318,6 @@ class Examination:
     def _count_solutions(self, numbers: Rows | None, oracle: Rows, some: Rows) -> None:
         uniform = self.samples.of(UNIFORM)
         self.solution_counts.update((oracle[uniform[some]] if numbers is None else numbers[uniform]).tolist())
-
-
-def _differences(table: TableKinematics, q: list[float]) -> Floats:
-    """The (6, n) Jacobian by central differences: with 50 digits a step of 1e-17 errs by about 1e-33."""
-    ctx = table.ctx
-    step = ctx.mpf(10) ** -17
-    columns = []
-    here = table.forward(q)
-    for joint in range(len(q)):
-        plus, minus = [ctx.mpf(x) for x in q], [ctx.mpf(x) for x in q]
-        plus[joint] += step
-        minus[joint] -= step
-        after, before = table.forward(plus), table.forward(minus)
-        slope = [[(after[i][j] - before[i][j]) / (2 * step) for j in range(4)] for i in range(3)]
-        spin = [[sum(slope[i][k] * here[j][k] for k in range(3)) for j in range(3)] for i in range(3)]
-        columns.append([slope[0][3], slope[1][3], slope[2][3], spin[2][1], spin[0][2], spin[1][0]])
-    return np.array(columns, dtype=np.float64).T
 
 
 def _too_many(failed: int, tried: NDArray[np.bool_], share: int) -> int:

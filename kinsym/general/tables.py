@@ -36,18 +36,6 @@ def _context() -> MPContext:
 
 
 @cache
-def fourier_table() -> Table:
-    """Samples at OFFSET + 2 pi j / 17 to (a0, a1, b1, ..., a8, b8): 17 x 17, rows by coefficient."""
-    ctx = _context()
-    rows = [[ctx.mpf(1) / SAMPLES] * SAMPLES]
-    for k in range(1, DEGREE + 1):
-        angles = [2 * ctx.pi * ((j * k) % SAMPLES) / SAMPLES for j in range(SAMPLES)]
-        rows.append([2 * ctx.cos(angle) / SAMPLES for angle in angles])
-        rows.append([2 * ctx.sin(angle) / SAMPLES for angle in angles])
-    return _rounded(rows)
-
-
-@cache
 def arc_table() -> Table:
     """(a0, a1, b1, ..., a8, b8) about an arc's centre to the 17 Bernstein coefficients of (1 + v^2)^8 f on it.
 

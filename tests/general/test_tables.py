@@ -14,7 +14,6 @@ from kinsym.general.tables import (
     SAMPLES,
     arc_table,
     chebyshev_points,
-    fourier_table,
     local_table,
 )
 
@@ -28,12 +27,6 @@ def wave(coefficients: np.ndarray, t: float) -> float:
     a0, *rest = coefficients
     pairs = zip(rest[::2], rest[1::2], strict=True)
     return a0 + sum(a * np.cos(k * t) + b * np.sin(k * t) for k, (a, b) in enumerate(pairs, start=1))
-
-
-def test_samples_give_the_coefficients() -> None:
-    c = np.random.default_rng(0).normal(size=SAMPLES)
-    samples = [wave(c, 2 * np.pi * j / SAMPLES) for j in range(SAMPLES)]
-    assert np.allclose(np.array(fourier_table()) @ samples, c, atol=1e-13)
 
 
 def test_an_arc_has_the_bernstein_form_of_the_wave() -> None:

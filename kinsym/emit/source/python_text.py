@@ -52,11 +52,7 @@ def comment(text: str, depth: int = 1) -> str:
     return "\n".join(f"{indent}# {line}" for line in fill(python_comment(text), WIDTH - len(indent) - 2))
 
 
-def tuple_of(names: Iterable[str]) -> str:
-    items = [f'"{name}"' for name in names]
-    return f"({', '.join(items)}{',' if len(items) == 1 else ''})"
-
-
 def names_tuple(names: Iterable[str]) -> str:
+    """A tuple of strings."""
     items = [f'"{name}"' for name in names]
     return f"({', '.join(items)}{',' if len(items) == 1 else ''})"
