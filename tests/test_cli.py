@@ -14,7 +14,9 @@ import pytest
 
 from kinsym import __version__
 from kinsym.check.report import FAILED, Check
-from kinsym.cli import CONVENTIONS, TARGETS, TASKS, main
+from kinsym.cli import main
+from kinsym.command.derive import TARGETS
+from kinsym.command.options import CONVENTIONS, TASKS
 from kinsym.command.rendering import FILES
 from kinsym.robot import gallery
 from kinsym.robot.model import Convention, Task

@@ -3,23 +3,31 @@
 from __future__ import annotations
 
 import argparse
-import json
-import tomllib
-from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from kinsym.check.deviation import recalled
-from kinsym.check.report import FAILED, SUFFIX
-from kinsym.command.derive import say_checks, verdict
-from kinsym.command.screen import Screen
+from kinsym.command.options import add_quiet
 from kinsym.errors import KinsymError, OutputError
-from kinsym.robot.model import Robot
-from kinsym.write import write_set
+
+if TYPE_CHECKING:
+    from kinsym.command.screen import Screen
+    from kinsym.robot.model import Robot
 
 
-def check(options: argparse.Namespace, screen: Screen) -> int:
+HELP = "repeat the checks on files already there"
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """What the command takes."""
+    command.description = "Repeat the checks on the files in DIR. This runs the Python and C code found there."
+    command.add_argument("folder", metavar="DIR", help="a folder that kinsym derive has written")
+    add_quiet(command)
+
+
+def run(options: argparse.Namespace, screen: Screen) -> int:
     """Check every robot whose report lies in the folder, and write its report anew."""
+    from kinsym.check.report import SUFFIX
+
     folder = Path(options.folder)
     if not folder.is_dir():
         raise OutputError(f"{folder} is no folder. Give one that kinsym derive has written.")
@@ -31,10 +39,13 @@ def check(options: argparse.Namespace, screen: Screen) -> int:
 
 def _check_one(path: Path, screen: Screen) -> int:
     from kinsym.check.compare import compare
+    from kinsym.check.report import FAILED
     from kinsym.check.reporting import report_of
+    from kinsym.command.outcome import say_checks, verdict
     from kinsym.command.rendering import FILES, rendered
     from kinsym.deriving import derive
     from kinsym.emit.program import build_schedule
+    from kinsym.write import write_set
 
     screen.stage(f"reading {path.name}")
     robot, recorded = _read(path)
@@ -77,6 +88,11 @@ def _check_one(path: Path, screen: Screen) -> int:
 
 def _read(path: Path) -> tuple[Robot, dict[str, str]]:
     """The robot of a report and the digests of the files it speaks of."""
+    import json
+    import tomllib
+    from dataclasses import replace
+
+    from kinsym.check.deviation import recalled
     from kinsym.robot.files import from_draft
     from kinsym.robot.snapping import EXACT
 

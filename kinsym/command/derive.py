@@ -4,20 +4,44 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from kinsym.check.report import FAILED, NOT_RUN, SUFFIX, Check, Report
-from kinsym.command.screen import Screen
-from kinsym.command.table import robot_of, say_notes
-from kinsym.write import check_place, write_set
+from kinsym.command.options import add_quiet, add_table
+
+if TYPE_CHECKING:
+    from kinsym.command.screen import Screen
+
+TARGETS = ("numpy", "c", "latex", "extension")
 
 
-def derive(options: argparse.Namespace, screen: Screen) -> int:
+HELP = "derive, check and write a robot's kinematics"
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """What the command takes."""
+    add_table(command)
+    command.add_argument("-o", "--output", metavar="DIR", help="where to write (default: ./NAME)")
+    command.add_argument(
+        "--target",
+        action="append",
+        choices=TARGETS,
+        help="write this only (repeatable; default: numpy, c and latex); extension is a Python package around the C",
+    )
+    command.add_argument("--no-check", action="store_true", help="write the files without checking them")
+    add_quiet(command)
+
+
+def run(options: argparse.Namespace, screen: Screen) -> int:
     """Derive, print, emit, check, write; 1 if a check failed, in which case the report says which."""
+    from kinsym.check.report import SUFFIX
     from kinsym.check.reporting import report_of
+    from kinsym.command.outcome import say_checks, say_operations, verdict
     from kinsym.command.rendering import file_names, rendered
+    from kinsym.command.table import robot_of, say_notes
     from kinsym.deriving import derive as derivation_of
     from kinsym.emit.program import build_schedule
     from kinsym.emit.text import equations
+    from kinsym.write import check_place, write_set
 
     screen.stage("reading the table")
     robot = robot_of(options)
@@ -46,68 +70,3 @@ def derive(options: argparse.Namespace, screen: Screen) -> int:
     for path in paths:
         screen.say(f"  {path}")
     return verdict(report, folder, screen)
-
-
-def say_operations(report: Report, screen: Screen) -> None:
-    """What each generated function computes, counted exactly; the solver that searches for roots has no count."""
-    from kinsym.emit.operations import Operations
-
-    screen.say("Operations of the C")
-    screen.say("-------------------")
-    for key, name in (("forward", "fk"), ("inverse", "ik"), ("jacobian", "jacobian")):
-        counts = report.operations.get(key)
-        told = "as many as its search for roots takes" if counts is None else str(Operations(**counts))
-        screen.say(f"  {name:<9} {told}")
-    screen.say()
-
-
-def say_checks(report: Report, screen: Screen) -> None:
-    """The laws, one line each, and the figures."""
-    screen.say("Checks")
-    screen.say("------")
-    if report.verdict == NOT_RUN:
-        screen.say("  none (--no-check)\n")
-        return
-    figures = report.figures
-    kinds = ", ".join(f"{count} {kind}" for kind, count in figures["poses_by_kind"].items() if count)
-    screen.say(f"  {figures['poses']} poses: {kinds}")
-    spread = figures["solutions_at_random_poses"]
-    if spread:
-        screen.say(
-            f"  solutions at a random pose: {spread['least']} to {spread['most']}, usually {spread['usual']},"
-            f" at most {report.maximum}"
-        )
-    for law, checks in _by_law(report).items():
-        statuses = {check.status for check in checks}
-        mark = "FAILED" if FAILED in statuses else "not run" if statuses == {NOT_RUN} else "ok"
-        limit = next((f" ({check.limit})" for check in checks if check.limit), "")
-        screen.say(f"  {mark:<7} {law}{limit}: {', '.join(check.outcome() for check in checks)}")
-        for check in checks:
-            if check.note:
-                screen.say(f"          {check.subject}: {check.note}")
-    for case, number in report.measured["cases"].items():
-        if number:
-            screen.say(f"  note    {case}: {number}")
-    screen.say()
-
-
-def _by_law(report: Report) -> dict[str, list[Check]]:
-    laws: dict[str, list[Check]] = {}
-    for check in report.checks:
-        laws.setdefault(check.law, []).append(check)
-    return laws
-
-
-def verdict(report: Report, folder: Path, screen: Screen) -> int:
-    """The exit status, and one line on standard error where it is not plain success."""
-    for check in report.checks:
-        if check.status == NOT_RUN:
-            screen.warn(f"{check.name}: not run, {check.note}.")
-    if report.verdict != FAILED:
-        return 0
-    failed = [check.name for check in report.checks if check.status == FAILED]
-    screen.warn(
-        f"{len(failed)} of {len(report.checks)} checks failed: {'; '.join(failed)}. "
-        f"Do not use the files in {folder}; the report there tells more."
-    )
-    return 1

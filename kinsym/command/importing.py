@@ -4,20 +4,36 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from kinsym import __version__
-from kinsym.command.screen import Screen
-from kinsym.command.table import say_notes, snapping_from
+from kinsym.command.options import add_quiet, add_reading
 from kinsym.errors import OutputError, RobotError
-from kinsym.robot.loading import URDF_SUFFIX, load
-from kinsym.robot.model import Robot
-from kinsym.robot.names import shown
-from kinsym.robot.summary import to_toml
-from kinsym.write import write_set
+
+if TYPE_CHECKING:
+    from kinsym.command.screen import Screen
+    from kinsym.robot.model import Robot
 
 
-def import_robot(options: argparse.Namespace, screen: Screen) -> int:
+HELP = "write a chain of a URDF file as a robot file"
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """What the command takes."""
+    command.add_argument("file", metavar="FILE", help="a .urdf file")
+    command.add_argument("--name", help="name of the robot, and of the file")
+    command.add_argument("-o", "--output", metavar="FILE", help="the robot file to write (default: ./NAME.toml)")
+    add_quiet(command)
+    add_reading(command)
+
+
+def run(options: argparse.Namespace, screen: Screen) -> int:
     """Convert, say what was changed, write; a file that is there is replaced only if ``--output`` names it."""
+    from kinsym.command.table import say_notes, snapping_from
+    from kinsym.robot.loading import URDF_SUFFIX, load
+    from kinsym.robot.names import shown
+    from kinsym.write import write_set
+
     if not options.file.lower().endswith(URDF_SUFFIX):
         raise RobotError(
             f"{shown(options.file)} is no .urdf file", remedy="Name one; a .toml or .csv table needs no import."
@@ -45,5 +61,7 @@ def robot_file(robot: Robot) -> str:
     >>> print(robot_file(load("planar_rr")).splitlines()[1])
     name = "planar_rr"
     """
+    from kinsym.robot.summary import to_toml
+
     head = [f"Read by kinsym {__version__} from {robot.source}" if robot.source else f"Written by kinsym {__version__}"]
     return "".join(f"# {line}\n" for line in (*head, *robot.notes)) + to_toml(robot)

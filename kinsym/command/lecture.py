@@ -5,16 +5,28 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
-from kinsym.command.screen import Screen
+from kinsym.command.options import add_quiet
 from kinsym.errors import KinsymError
 
 if TYPE_CHECKING:
+    from kinsym.command.screen import Screen
     from kinsym.lecture.verdict import Verdict
 
 SOURCE = "H. D. Taghirad, Robotics: Mechanics & Control, chapter 3: Kinematic Analysis"
 
 
-def lecture(options: argparse.Namespace, screen: Screen) -> int:
+HELP = "hold the lecture's equations against what kinsym derives"
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """What the command takes."""
+    command.add_argument("system", metavar="SYSTEM", nargs="?", help="one system of the lecture (default: all)")
+    command.add_argument("--errata", action="store_true", help="list the lecture's mistakes with the reason")
+    command.add_argument("--markdown", action="store_true", help="print docs/lecture.md, the sections beside kinsym")
+    add_quiet(command)
+
+
+def run(options: argparse.Namespace, screen: Screen) -> int:
     """Print a verdict on every equation, or the mistakes; 1 unless every entry is accounted for."""
     from kinsym.lecture.report import chosen, errata, forms, lines, missing, summary, ways
     from kinsym.lecture.verdict import failed_ways, verdicts

@@ -2,10 +2,20 @@
 
 from __future__ import annotations
 
-from kinsym.command.screen import Screen
+import argparse
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from kinsym.command.screen import Screen
+
+HELP = "list the robots of the gallery"
 
 
-def robots(screen: Screen) -> int:
+def add_options(command: argparse.ArgumentParser) -> None:
+    """It takes none."""
+
+
+def run(options: argparse.Namespace, screen: Screen) -> int:
     """Print name and title of every robot of the gallery."""
     from kinsym.robot import gallery_titles
 

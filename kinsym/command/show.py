@@ -3,14 +3,44 @@
 from __future__ import annotations
 
 import argparse
+from typing import TYPE_CHECKING
 
-from kinsym.command.screen import Screen
-from kinsym.command.table import robot_of, say_notes
+from kinsym.command.options import add_table
 from kinsym.errors import KinsymError
 
+if TYPE_CHECKING:
+    from kinsym.command.screen import Screen
 
-def show(options: argparse.Namespace, screen: Screen) -> int:
+METHODS = (
+    "loop_closure",
+    "craig",
+    "paul",
+    "screws",
+    "frames",
+    "workspace",
+    "screws_inverse",
+    "algebraic",
+    "geometric",
+    "half_angle",
+    "pieper",
+    "zyz",
+    "decoupled",
+)
+
+
+HELP = "print the equations, write nothing"
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """What the command takes."""
+    add_table(command)
+    command.add_argument("--full", action="store_true", help="with link transforms and Jacobian")
+    command.add_argument("--method", choices=METHODS, help="one method of the lecture instead, step by step")
+
+
+def run(options: argparse.Namespace, screen: Screen) -> int:
     """Derive and print, the usual way or by one method of the lecture; nothing is written."""
+    from kinsym.command.table import robot_of, say_notes
     from kinsym.deriving import derive
     from kinsym.emit.text import equations
 

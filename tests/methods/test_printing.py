@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from kinsym.cli import METHODS as OFFERED
 from kinsym.cli import main
+from kinsym.command.show import METHODS as OFFERED
 from kinsym.emit.latex.methods import method_fragment
 from kinsym.emit.text.methods import method_text
 from kinsym.methods import METHODS
