@@ -13,6 +13,8 @@ from collections.abc import Sequence
 
 from kinsym import __version__
 from kinsym.command import check, derive, importing, lecture, robots, show
+from kinsym.command.parsing import Parser, parsed
+from kinsym.command.screen import Screen
 from kinsym.errors import KinsymError
 
 COMMANDS = {
@@ -43,48 +45,55 @@ exit status: 0 done and checked; 1 no closed form, or a check failed; 2 the inpu
 """
 
 
-def parser() -> argparse.ArgumentParser:
-    """The parser of the whole command line."""
-    top = argparse.ArgumentParser(
-        prog="kinsym", description=_DESCRIPTION, epilog=_EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command; the exit status.
+
+    With ``--json`` standard output holds one JSON object, whatever happens: the command's, or
+    ``{"status": ..., "error": {"kind": ..., "message": ...}}``.
+
+    >>> main(["robots", "ur5e"])  # doctest: +ELLIPSIS
+    name  joints ...
+    0
+    """
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    screen = Screen(quiet="--quiet" in given, as_json="--json" in given)
+    try:
+        return _run(given, screen)
+    except SystemExit as stop:
+        return stop.code if isinstance(stop.code, int) else 2
+    except KinsymError as error:
+        return _refused(screen, type(error).__name__, str(error), error.exit_status)
+    except KeyboardInterrupt:
+        return _refused(screen, "Interrupted", "interrupted", INTERRUPTED)
+    finally:
+        screen.end()
+
+
+def _run(given: list[str], screen: Screen) -> int:
+    """Understand the words and do what they say."""
+    _suggest(given)
+    top = Parser(
+        prog="kinsym",
+        description=_DESCRIPTION,
+        epilog=_EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
     )
     top.add_argument("--version", action="version", version=f"kinsym {__version__}")
     commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
     for name, module in COMMANDS.items():
         module.add_options(commands.add_parser(name, help=module.HELP, allow_abbrev=False))
-    return top
+    options = parsed(top, commands.choices, given)
+    status: int = COMMANDS[options.command].run(options, screen)
+    return status
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Run one command; the exit status.
-
-    >>> main(["robots"]) == 0  # doctest: +ELLIPSIS
-    abb_irb120 ...
-    True
-    """
-    given = list(sys.argv[1:] if arguments is None else arguments)
-    try:
-        _suggest(given)
-        options = parser().parse_args(given)
-        return _run(options)
-    except SystemExit as stop:
-        return stop.code if isinstance(stop.code, int) else 2
-    except KinsymError as error:
-        print(f"kinsym: {error}", file=sys.stderr)
-        return error.exit_status
-    except KeyboardInterrupt:
-        return INTERRUPTED
-
-
-def _run(options: argparse.Namespace) -> int:
-    from kinsym.command.screen import Screen
-
-    screen = Screen(quiet=getattr(options, "quiet", False))
-    try:
-        status: int = COMMANDS[options.command].run(options, screen)
-        return status
-    finally:
-        screen.flush()
+def _refused(screen: Screen, kind: str, message: str, status: int) -> int:
+    """Say why nothing came out."""
+    screen.end()
+    screen.warn(message)
+    screen.refuse(kind, message, status)
+    return status
 
 
 def _suggest(given: list[str]) -> None:

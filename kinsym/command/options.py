@@ -57,3 +57,8 @@ def add_reading(command: argparse.ArgumentParser) -> None:
 def add_quiet(command: argparse.ArgumentParser) -> None:
     """--quiet, of every command that prints what nobody may want to read."""
     command.add_argument("--quiet", action="store_true", help="print errors only")
+
+
+def add_json(command: argparse.ArgumentParser) -> None:
+    """--json, of every command whose result a program may want to read."""
+    command.add_argument("--json", action="store_true", help="print one JSON object instead, an error as well")

@@ -76,7 +76,8 @@ def table(robot: Robot, page: Page | None = None) -> str:
     if robot.home is not None:
         home = robot.home
         vectors = (("u0", home.u0), ("v0", home.v0), ("w0", home.w0), ("q0", home.q0))
-        parts.append("  home pose: " + ", ".join(f"{name} = {_vector(vector, page)}" for name, vector in vectors))
+        told = [f"{name} = {_vector(vector, page)}" for name, vector in vectors]
+        parts.append(page.listed("home pose:", told))
     for name, fixed in (("base", robot.base), ("tool", robot.tool)):
         if fixed is not None:
             cells_of = [[page.formula(tree_of(cell)) for cell in row] for row in fixed]
