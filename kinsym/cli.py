@@ -12,7 +12,7 @@ import sys
 from collections.abc import Sequence
 
 from kinsym import __version__
-from kinsym.command import check, derive, importing, lecture, robots, show
+from kinsym.command import check, derive, explain, importing, lecture, robots, show
 from kinsym.command.parsing import Parser, parsed
 from kinsym.command.screen import Screen
 from kinsym.errors import KinsymError
@@ -20,6 +20,7 @@ from kinsym.errors import KinsymError
 COMMANDS = {
     "derive": derive,
     "show": show,
+    "explain": explain,
     "import": importing,
     "robots": robots,
     "check": check,
