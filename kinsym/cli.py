@@ -12,7 +12,7 @@ import sys
 from collections.abc import Sequence
 
 from kinsym import __version__
-from kinsym.command import check, derive, explain, importing, lecture, robots, show
+from kinsym.command import check, derive, explain, importing, lecture, new, robots, show
 from kinsym.command.parsing import Parser, parsed
 from kinsym.command.screen import Screen
 from kinsym.errors import KinsymError
@@ -21,6 +21,7 @@ COMMANDS = {
     "derive": derive,
     "show": show,
     "explain": explain,
+    "new": new,
     "import": importing,
     "robots": robots,
     "check": check,

@@ -39,10 +39,10 @@ def elimination(derivation: Derivation, plan: GeneralPlan, unknowns: Sequence[st
                 heading("Why there is no closed form"),
                 page.prose(f"{plan.why}."),
                 page.prose(
-                    "Where the rules end, every equation that is left holds several unknowns. They have to be eliminated"
-                    " all at once, until one unknown is left in one polynomial. There are up to"
-                    f" {counted(plan.maximum, 'solution')}, found by numbers: the roots of the polynomial, and the other"
-                    " unknowns from linear equations at each of them."
+                    "Where the rules end, every equation that is left holds several unknowns. They have to be"
+                    " eliminated all at once, until one unknown is left in one polynomial. There are up to"
+                    f" {counted(plan.maximum, 'solution')}, found by numbers: the roots of the polynomial, and the"
+                    " other unknowns from linear equations at each of them."
                 ),
             ]
         ),
