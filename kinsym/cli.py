@@ -12,7 +12,7 @@ import sys
 from collections.abc import Sequence
 
 from kinsym import __version__
-from kinsym.command import check, derive, explain, importing, lecture, new, robots, show
+from kinsym.command import check, completion, derive, explain, importing, lecture, new, robots, show
 from kinsym.command.parsing import Parser, parsed
 from kinsym.command.screen import Screen
 from kinsym.errors import KinsymError
@@ -26,6 +26,7 @@ COMMANDS = {
     "robots": robots,
     "check": check,
     "lecture": lecture,
+    "completion": completion,
 }
 INTERRUPTED = 130
 

@@ -19,6 +19,8 @@ from typing import TextIO
 from kinsym.command.colour import BOLD, RED, painted, styled, understands, wanted
 from kinsym.command.progress import USUAL, Progress, columns
 
+#: How text is filled: words and formulas are never cut.
+WORDS = {"break_long_words": False, "break_on_hyphens": False}
 #: Lines of text are as wide as the terminal, within these limits.
 _NARROWEST, _WIDEST = 60, 140
 
@@ -53,10 +55,10 @@ class Screen:
         """Whether what is said is printed: long texts need not be made otherwise."""
         return self._open and not self._quiet and not self._as_json
 
-    def say(self, text: str = "") -> None:
-        """A result."""
+    def say(self, text: str = "", *, plain: bool = False) -> None:
+        """A result; ``plain`` text is a file for another program and is never painted."""
         if self.speaks:
-            self._to_output(painted(text) if self._painted else text)
+            self._to_output(painted(text) if self._painted and not plain else text)
 
     def heading(self, text: str) -> None:
         """The title of what follows, underlined."""
@@ -64,7 +66,7 @@ class Screen:
 
     def item(self, mark: str, text: str) -> None:
         """One line of a list, more if it is long: a word such as ``ok`` and what it is about."""
-        lines = textwrap.wrap(text, self.width - 10, break_long_words=False, break_on_hyphens=False)
+        lines = textwrap.wrap(text, self.width - 10, **WORDS)
         for number, line in enumerate(lines):
             self.say(f"  {'' if number else mark:<7} {line}")
 
@@ -81,7 +83,7 @@ class Screen:
         """A message that even a quiet run shows."""
         line = f"kinsym: {text}"
         if self._err.isatty():
-            line = textwrap.fill(line, columns(self._err), break_long_words=False, break_on_hyphens=False)
+            line = textwrap.fill(line, columns(self._err), **WORDS)
         if wanted(self._err):
             line = line.replace("kinsym:", styled("kinsym:", f"{BOLD};{RED}"), 1)
         self._to_error(line)

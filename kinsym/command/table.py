@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import argparse
+import textwrap
 from dataclasses import replace
 from fractions import Fraction
 
-from kinsym.command.screen import Screen
+from kinsym.command.screen import WORDS, Screen
 from kinsym.errors import KinsymError, RobotError
 from kinsym.robot.files import from_inline
 from kinsym.robot.loading import load
@@ -68,7 +69,10 @@ def snapping_from(options: argparse.Namespace) -> Snapping:
 def say_notes(robot: Robot, screen: Screen) -> None:
     """What was read otherwise than written, and what looks like a slip."""
     if robot.notes:
-        screen.say("\n".join(("Notes", "-----", *(f"  {note}" for note in robot.notes), "")))
+        screen.heading("Notes")
+        for note in robot.notes:
+            screen.say(textwrap.fill(note, screen.width, initial_indent="  ", subsequent_indent="    ", **WORDS))
+        screen.say()
 
 
 def bindings_of(texts: list[str]) -> dict[str, Fraction]:
