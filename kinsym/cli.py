@@ -30,21 +30,29 @@ COMMANDS = {
 }
 INTERRUPTED = 130
 
-_DESCRIPTION = "Closed-form kinematics of serial robots: equations, NumPy and C that are checked against each other."
+_DESCRIPTION = """\
+Closed-form kinematics of serial robots: equations, NumPy and C that are
+checked against each other."""
 _EXAMPLES = """\
 examples:
-  kinsym derive fanuc_s900w                 a robot of the gallery, into ./fanuc_s900w
-  kinsym derive my_robot.toml -o out        a robot file, into ./out
+  kinsym derive fanuc_s900w                a robot of the gallery, ./fanuc_s900w
+  kinsym derive my_robot.toml -o out       a robot file, into ./out
   kinsym derive table.csv --convention craig
-  kinsym derive --dh "pi/2 0 d1 theta1; 0 a2 0 theta2" --convention paul --name two_links
-  kinsym derive kuka_iiwa --lock theta3     an arm with seven joints: theta3 is an input
-  kinsym derive arm.urdf --tip-link tool0   a chain of a URDF file
-  kinsym import arm.urdf --tip-link tool0   the same as a robot file, to read and edit
-  kinsym show ur5                           the equations only
-  kinsym check out                          the checks again, on the files in ./out
-  kinsym lecture                            every equation of the lecture, derived and compared
+  kinsym derive --dh "pi/2 0 d1 theta1; 0 a2 0 theta2" --convention paul
+  kinsym derive kuka_iiwa --lock theta3    seven joints: theta3 is an input
+  kinsym derive arm.urdf --tip-link tool0  a chain of a URDF file
+  kinsym derive ur5 --json                 the result for a program
+  kinsym show ur5                          the equations only
+  kinsym explain ur5 theta3                how theta3 is found, and why so
+  kinsym new my_robot --convention paul    a robot file to start from
+  kinsym import arm.urdf --tip-link tool0  a robot file from URDF
+  kinsym robots wrist                      the gallery, or a part of it
+  kinsym check out                         the checks again, on files in ./out
+  kinsym lecture                           the lecture's equations, compared
+  kinsym completion bash                   for source <(kinsym completion bash)
 
-exit status: 0 done and checked; 1 no closed form, or a check failed; 2 the input is wrong
+exit status: 0 done and checked; 1 no closed form, or a check failed; 2 the
+input is wrong; 130 interrupted. NO_COLOR=1 takes colour away.
 """
 
 

@@ -113,7 +113,8 @@ def _command(name: str, text: str, parser: Parser) -> Command:
 
 
 def _place(action: argparse.Action) -> Place:
-    kind, words = "any", ()
+    kind = "any"
+    words: tuple[str, ...] = ()
     if action.option_strings and action.nargs == 0:
         kind = ""
     elif action.choices is not None:

@@ -19,7 +19,9 @@ def add_table(command: argparse.ArgumentParser) -> None:
     command.add_argument("--dh", metavar="ROWS", help='rows "alpha a d theta; ..." instead of TABLE')
     command.add_argument("--convention", choices=CONVENTIONS, help="how to read a CSV table or --dh")
     command.add_argument("--name", help="name of the robot, and of the files")
-    command.add_argument("--task", choices=TASKS, help="what of the pose to reach (default: what the arm can)")
+    command.add_argument(
+        "--task", metavar="TASK", choices=TASKS, help=f"what to reach: {', '.join(TASKS)} (default: what the arm can)"
+    )
     command.add_argument(
         "--bind", metavar="NAME=VALUE", action="append", default=[], help="fold a parameter's number in (repeatable)"
     )

@@ -19,8 +19,6 @@ from typing import TextIO
 from kinsym.command.colour import BOLD, RED, painted, styled, understands, wanted
 from kinsym.command.progress import USUAL, Progress, columns
 
-#: How text is filled: words and formulas are never cut.
-WORDS = {"break_long_words": False, "break_on_hyphens": False}
 #: Lines of text are as wide as the terminal, within these limits.
 _NARROWEST, _WIDEST = 60, 140
 
@@ -66,8 +64,7 @@ class Screen:
 
     def item(self, mark: str, text: str) -> None:
         """One line of a list, more if it is long: a word such as ``ok`` and what it is about."""
-        lines = textwrap.wrap(text, self.width - 10, **WORDS)
-        for number, line in enumerate(lines):
+        for number, line in enumerate(filled(text, self.width - 10)):
             self.say(f"  {'' if number else mark:<7} {line}")
 
     def give(self, content: Mapping[str, object]) -> None:
@@ -83,7 +80,7 @@ class Screen:
         """A message that even a quiet run shows."""
         line = f"kinsym: {text}"
         if self._err.isatty():
-            line = textwrap.fill(line, columns(self._err), **WORDS)
+            line = "\n".join(filled(line, columns(self._err)))
         if wanted(self._err):
             line = line.replace("kinsym:", styled("kinsym:", f"{BOLD};{RED}"), 1)
         self._to_error(line)
@@ -139,3 +136,8 @@ class Screen:
         self._open = False
         if self._out is sys.stdout:
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def filled(text: str, width: int) -> list[str]:
+    """A text in lines; no word and no formula without blanks is cut."""
+    return textwrap.wrap(text, width, break_long_words=False, break_on_hyphens=False)

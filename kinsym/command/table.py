@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import textwrap
 from dataclasses import replace
 from fractions import Fraction
 
-from kinsym.command.screen import WORDS, Screen
+from kinsym.command.screen import Screen, filled
 from kinsym.errors import KinsymError, RobotError
 from kinsym.robot.files import from_inline
 from kinsym.robot.loading import load
@@ -71,7 +70,7 @@ def say_notes(robot: Robot, screen: Screen) -> None:
     if robot.notes:
         screen.heading("Notes")
         for note in robot.notes:
-            screen.say(textwrap.fill(note, screen.width, initial_indent="  ", subsequent_indent="    ", **WORDS))
+            screen.say("\n".join(f"  {line}" for line in filled(note, screen.width - 2)))
         screen.say()
 
 
