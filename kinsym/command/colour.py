@@ -15,8 +15,10 @@ BOLD, DIM, RED, GREEN, YELLOW = "1", "2", "31", "32", "33"
 
 #: A line with a rule of the same length under it.
 _HEADING = re.compile(r"^(?P<text>\S.*)\n(?P<rule>([-=])\3{2,})$", re.MULTILINE)
-#: The number and the unknown of a step.
-_STEP = re.compile(r"^(  \d+\. [^:\n]+:)(?= )", re.MULTILINE)
+#: The number and the unknown of a step, and the words that begin the parts of an explanation.
+_STEP = re.compile(
+    r"^  (\d+\. [^:\n]+:(?= )|(?:Known|Rule|Branches|Way):|(?:Equations?|Solution|Special cases)$)", re.MULTILINE
+)
 #: The word at the left edge of the line of a check.
 _VERDICT = re.compile(r"^  (ok|FAILED|not run|note)(?=  )", re.MULTILINE)
 _COLOURS = {"ok": GREEN, "FAILED": f"{BOLD};{RED}", "not run": YELLOW, "note": YELLOW}
@@ -50,7 +52,7 @@ def painted(text: str) -> str:
     '  \\x1b[32mok\\x1b[0m      no solution twice'
     """
     text = _HEADING.sub(_heading, text)
-    text = _STEP.sub(lambda found: styled(found[1], BOLD), text)
+    text = _STEP.sub(lambda found: f"  {styled(found[1], BOLD)}", text)
     return _VERDICT.sub(lambda found: f"  {styled(found[1], _COLOURS[found[1]])}", text)
 
 

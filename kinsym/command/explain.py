@@ -11,6 +11,11 @@ if TYPE_CHECKING:
     from kinsym.command.screen import Screen
     from kinsym.derivation import Derivation
 
+_NOMINAL = (
+    "This arm has no closed form of its own. What follows is that of the special arm next to it, from whose solutions"
+    " Newton's steps lead to those of this one; kinsym show tells in what they differ."
+)
+
 HELP = "walk through the derivation of an angle, with the reasons"
 
 
@@ -41,12 +46,14 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
 
 
 def _explained(derivation: Derivation, unknown: str | None, screen: Screen) -> str:
+    from kinsym.command.screen import filled
     from kinsym.emit.text.explain import explanation
     from kinsym.emit.text.explain_general import elimination
     from kinsym.emit.text.page import Page
     from kinsym.inverse.needed import check_unknown, solvable
 
     if derivation.nominal is not None:
+        screen.say("\n".join(filled(_NOMINAL, screen.width)) + "\n")
         derivation = derivation.nominal.derivation
     robot, plan, general = derivation.robot, derivation.plan, derivation.general
     known = solvable(plan) if plan else tuple(joint.variable for joint in derivation.solved.joints)

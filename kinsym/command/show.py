@@ -56,6 +56,7 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
 
         screen.say(method_text(METHODS[options.method](robot), width=screen.width, ascii=screen.ascii).rstrip("\n"))
         return 0
+    screen.stage(f"deriving {robot.name}")
     derivation = derive(robot, deadline=options.deadline)
     screen.say(equations(derivation, width=screen.width, ascii=screen.ascii, full=options.full).rstrip("\n"))
     return 0

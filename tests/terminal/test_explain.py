@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import pytest
 
@@ -18,7 +19,7 @@ from kinsym.inverse.needed import needed, solvable
 from kinsym.inverse.plan import Step, Window
 from kinsym.inverse.rules import TITLES
 from kinsym.robot import load
-from tests.arms import derivation
+from tests.arms import PUMA, derivation
 
 ARMS = ("fanuc_s900w", "ur5", "stanford_paul", "scorbot_5r", "five_joints", "parallel_123", "planar_rpr")
 PAGE = Page(width=80)
@@ -148,6 +149,19 @@ def test_a_cheaper_way_that_led_nowhere_is_told() -> None:
     assert comparison((cheap, taken)).startswith("What costs less (theta2) was tried and led nowhere")
     assert comparison((taken,)) == "No other equation fits a rule yet."
     assert comparison((taken, dear)) == "theta3 costs the same, but its equations are longer."
+    first = replace(cheap, taken=True)
+    assert comparison((first, dear)).startswith("It costs least (one value, and nothing to divide by). Next would be ")
+    assert comparison((first, replace(dear, rule="direct"))) == "It costs least: theta3 by the same rule costs more."
+
+
+def test_an_arm_next_to_a_special_one(capsys: pytest.CaptureFixture[str]) -> None:
+    """It is said that the closed form is the special arm's."""
+    rows = PUMA.replace(" a2 ", " 0.4318 ").replace("a3 d3", "0.0203 0.15005").replace("0 d4", "0.0005 0.4318")
+    words = ["explain", "--dh", rows, "--convention", "paul", "--exact", "--nominal", "theta1"]
+    assert main(words) == 0
+    out = capsys.readouterr().out
+    assert out.startswith("This arm has no closed form of its own.")
+    assert "theta1 = Atan2(p_x, -p_y)" in out
 
 
 def test_an_arm_without_a_closed_form() -> None:

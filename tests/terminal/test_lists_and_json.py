@@ -144,6 +144,16 @@ def test_the_nearest_name(words: str, hint: str, capsys: pytest.CaptureFixture[s
     assert f"Did you mean {hint}?" in capsys.readouterr().err
 
 
+def test_the_nearest_file(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    """Of those beside it that are of the same kind; none where the folder is missing."""
+    for name in ("my_arm.toml", "my_amr.csv"):
+        (tmp_path / name).touch()
+    assert main(["show", str(tmp_path / "my_amr.toml")]) == 2
+    assert "there is no such file. Did you mean my_arm.toml? Check the path." in capsys.readouterr().err
+    assert main(["show", str(tmp_path / "nowhere" / "my_amr.toml")]) == 2
+    assert "there is no such file. Check the path." in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("words", "told"),
     [

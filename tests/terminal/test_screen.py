@@ -122,7 +122,7 @@ def test_what_is_painted() -> None:
     """Headings, steps and verdicts; a rule of another length is no heading, a word elsewhere no verdict."""
     text = "Checks\n------\n  1. theta1: linear\n  ok      fine\n  FAILED  bad\n\na\n----\n  all ok  here\n"
     assert painted(text) == (
-        "\x1b[1mChecks\x1b[0m\n\x1b[2m------\x1b[0m\n\x1b[1m  1. theta1:\x1b[0m linear\n"
+        "\x1b[1mChecks\x1b[0m\n\x1b[2m------\x1b[0m\n  \x1b[1m1. theta1:\x1b[0m linear\n"
         "  \x1b[32mok\x1b[0m      fine\n  \x1b[1;31mFAILED\x1b[0m  bad\n\na\n----\n  all ok  here\n"
     )
 

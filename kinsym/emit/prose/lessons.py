@@ -97,4 +97,9 @@ def comparison(choices: tuple[Choice, ...]) -> str:
         if second.rule == taken.rule == "triangle":
             behind = "its triangle is longer, or seen from the tip instead of the base"
         return f"{second.unknown} costs the same, but {behind}."
-    return f"It costs least: {LESSONS[taken.rule].price}."
+    if second.rule == taken.rule:
+        own = "another of its equations" if second.unknown == taken.unknown else second.unknown
+        return f"It costs least: {own} by the same rule costs more."
+    return (
+        f"It costs least ({LESSONS[taken.rule].price}). Next would be {second.unknown} ({LESSONS[second.rule].price})."
+    )

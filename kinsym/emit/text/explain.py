@@ -214,6 +214,7 @@ class _Walk:
     def _special(self, step: Step) -> Iterator[str]:
         page = self._page
         families = [one for one in self._derivation.families if one.free == step.unknown]
+        families.sort(key=lambda one: one.conditions != (step.degenerate,))
         if step.condition is None and step.degenerate is None and not families:
             return
         yield page.prose("Special cases")
@@ -230,7 +231,8 @@ class _Walk:
                 indent=6,
             )
         for family in families:
-            yield page.prose(f"{family_conditions(family, page.formula)}:", indent=4)
+            if family.conditions != (step.degenerate,):
+                yield page.prose(f"{family_conditions(family, page.formula)}:", indent=4)
             yield page.prose(f"{follows(family, page.formula, str)}.", indent=6)
 
 
