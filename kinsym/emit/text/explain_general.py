@@ -17,13 +17,16 @@ from kinsym.general.plan import GeneralPlan
 if TYPE_CHECKING:
     from kinsym.derivation import Derivation
 
+#: How the stage is called that gives the first of all values.
+_ROOT = "the root of"
+
 
 def elimination(derivation: Derivation, plan: GeneralPlan, unknowns: Sequence[str], page: Page) -> str:
     """The stages up to the last that holds one of the unknowns; with all of them, every stage."""
     robot = derivation.robot
     one = unknowns[0] if len(unknowns) == 1 else ""
     found = stages(derivation, plan, str)
-    last = _last(found, one) if one else len(found)
+    last = known_after(found, one) if one else len(found)
     parts = [
         title(derivation, unknowns),
         "\n".join(
@@ -57,6 +60,15 @@ def elimination(derivation: Derivation, plan: GeneralPlan, unknowns: Sequence[st
     return "\n\n".join(parts) + "\n"
 
 
-def _last(found: Sequence[Stage], unknown: str) -> int:
-    """The number of the last stage about an unknown."""
-    return max(number for number, stage in enumerate(found, start=1) if unknown in stage.unknowns)
+def known_after(found: Sequence[Stage], unknown: str) -> int:
+    """The number of the stage after which an unknown has a value: its last one, and none before the root is found.
+
+    >>> stages = [Stage(("b",), "from the orientation, for a value of a", ()), Stage(("a",), "the root of f", ())]
+    >>> known_after(stages, "b")
+    2
+    """
+    return max(
+        number
+        for number, stage in enumerate(found, start=1)
+        if unknown in stage.unknowns or stage.title.startswith(_ROOT)
+    )
