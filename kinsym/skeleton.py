@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from kinsym.live import LiveArm, check_values
@@ -21,7 +22,7 @@ from kinsym.robot.model import Convention, Robot
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from kinsym.live import Bools, Floats
+    from kinsym.live import Floats
 
 _PARALLEL = 0.1
 """Axes whose angle has a smaller sine have no common normal that is worth drawing: its foot may be far away."""
@@ -161,7 +162,7 @@ def _corners(axes: Floats, start: Floats) -> Floats:
     import numpy as np
 
     points = [_nearest(axes[0], start)]
-    for before, axis in zip(axes, axes[1:], strict=False):
+    for before, axis in pairwise(axes):
         u, v = before[:3, 2], axis[:3, 2]
         normal = np.cross(u, v)
         square = float(normal @ normal)
