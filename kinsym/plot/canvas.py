@@ -26,20 +26,26 @@ _ROOM = 0.09
 """What is left free around the arm, a share of its extent."""
 _ROW = 0.2
 """The height of a row of a legend, in inches."""
+_SCALE = 0.11
+"""The share of a picture that a scale of colours takes."""
 _FILLED = 0.84
 """The share of its axes that a picture in space takes; the rest is for ticks and labels."""
 _LEAST = 0.35
 """A picture in space is at least so high, and so deep, as a share of its longest side."""
 
 
-def new_axes(*, space: bool, rows: int = 0) -> Axes:
-    """Axes of a figure of their own, that of a file 800 dots wide, with room for some rows of a legend below."""
+def new_axes(*, space: bool, rows: int = 0, scale: bool = False) -> Axes:
+    """Axes of a figure of their own, that of a file 800 dots wide.
+
+    There is room for some ``rows`` of a legend below, and for a ``scale`` of colours at the right.
+    """
     figure = Figure(figsize=(style.WIDTH, style.HEIGHT), dpi=style.DPI, facecolor="white")
     FigureCanvasAgg(figure)
+    beside = _SCALE if scale else 0.0
     below = (rows + 1) * _ROW / style.HEIGHT if rows else 0.0
     if space:
-        return figure.add_axes((0.0, below, 1.0, 0.91 - below), projection="3d")
-    return figure.add_axes((0.1, 0.1 + below, 0.86, 0.77 - below))
+        return figure.add_axes((0.0, below, 1.0 - beside, 0.91 - below), projection="3d")
+    return figure.add_axes((0.1, 0.1 + below, 0.86 - beside, 0.77 - below))
 
 
 def in_space(ax: Axes) -> bool:
@@ -129,6 +135,19 @@ def legend(ax: Axes, handles: Sequence[Any], *, own: bool, columns: int) -> None
         ax.figure.legend(loc="lower center", bbox_to_anchor=(0.5, 0.005), **look)
     else:
         ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12 if not in_space(ax) else 0.0), **look)
+
+
+def scale(ax: Axes, mappable: Any, text: str, *, own: bool) -> None:
+    """A scale of colours from nothing to all, beside the axes."""
+    figure = ax.figure
+    if own:
+        bar = figure.colorbar(mappable, cax=figure.add_axes((1.0 - _SCALE, 0.22, 0.02, 0.55)))
+    else:
+        bar = figure.colorbar(mappable, ax=ax, shrink=0.7, pad=0.08)
+    bar.set_label(text, fontsize=style.SMALL, color=style.INK)
+    bar.set_ticks([0.0, 0.25, 0.5, 0.75, 1.0], labels=["0", "25 %", "50 %", "75 %", "100 %"])
+    bar.ax.tick_params(labelsize=style.SMALL, colors=style.INK)
+    bar.outline.set_visible(False)
 
 
 def headed(ax: Axes, title: str, second: str = "") -> None:

@@ -42,9 +42,11 @@ def draw(ax: Any, shape: Linkage, q: Floats, *, frames: bool, labels: bool, unit
         name_joints(ax, shape, posture, size)
 
 
-def show(ax: Any, bodies: Sequence[Body]) -> None:
-    """Draw bodies, which hide each other as they do in space."""
-    ax.add_collection(Solids(bodies))
+def show(ax: Any, bodies: Sequence[Body], *, raster: bool = False) -> None:
+    """Draw bodies, which hide each other as they do in space; ``raster`` keeps thousands of facets out of an SVG."""
+    solids = Solids(bodies)
+    solids.set_rasterized(raster)
+    ax.add_collection(solids)
 
 
 def bodies_of(part: Part, colour: str, size: float, *, scale: float = 1.0, sides: int = 12) -> Iterator[Body]:

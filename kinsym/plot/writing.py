@@ -34,13 +34,18 @@ def posture_text(variables: Sequence[str], kinds: Sequence[str], q: Floats) -> s
     '$\\\\theta_{1}$ = 90°,  $d_{2}$ = 0.25'
     """
     shown = [
-        f"{name_text(name)} = {_number(math.degrees(value), 1)}°" if kind == "R"
-        else f"{name_text(name)} = {_number(value, 4)}"
+        f"{name_text(name)} = {number_text(math.degrees(value), 1)}°" if kind == "R"
+        else f"{name_text(name)} = {number_text(value, 4)}"
         for name, kind, value in zip(variables, kinds, q, strict=True)
     ]  # fmt: skip
     return ",  ".join(shown)
 
 
-def _number(value: float, places: int) -> str:
+def number_text(value: float, places: int) -> str:
+    """A number with so many places at most.
+
+    >>> number_text(0.25, 4), number_text(-0.00001, 4)
+    ('0.25', '0')
+    """
     rounded = round(float(value), places) + 0.0
     return f"{rounded:.{places}f}".rstrip("0").rstrip(".")
