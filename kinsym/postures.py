@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import random
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -21,8 +22,8 @@ _SLIDE = (0.5, 1.0)
 """A slide without limits is drawn out by this share of the arm's size."""
 
 
-def general_posture(arm: Linkage) -> Floats:
-    """Joint values (n,), radians and the unit of length, inside the limits of the joints.
+def general_posture(arm: Linkage, held: Mapping[str, float] | None = None) -> Floats:
+    """Joint values (n,), radians and the unit of length, inside the limits; joints that are ``held`` at their value.
 
     >>> from kinsym.robot import load
     >>> from kinsym.skeleton import linkage
@@ -34,6 +35,8 @@ def general_posture(arm: Linkage) -> Floats:
 
     generator = random.Random(0)
     tries = np.array([[_drawn(arm, i, generator) for i in range(len(arm.kinds))] for _ in range(_TRIES)])
+    for name, value in (held or {}).items():
+        tries[:, arm.variables.index(name)] = value
     result: Floats = tries[int(np.argmax(_worth(arm, tries)))]
     return result
 
