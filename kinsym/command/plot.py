@@ -53,10 +53,11 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
     named = None if options.output is None else [options.output]
     (path,) = targets(named, [f"{robot.name}.svg"], PICTURES)
     say_notes(robot, screen)
-    picture = _picture(robot, options, screen)
-    from kinsym.plot import rendered
+    from kinsym.plot import plain_style, rendered
 
-    write({path: rendered(picture, kind_of(path))})
+    with plain_style():
+        content = rendered(_picture(robot, options, screen), kind_of(path))
+    write({path: content})
     screen.say(f"Written\n-------\n  {path}")
     return 0
 

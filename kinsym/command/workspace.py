@@ -91,10 +91,11 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
     files = {path: data(found, kind_of(path)) for path in paths if kind_of(path) in FORMATS}
     pictures = [path for path in paths if kind_of(path) in PICTURES]
     if pictures:
-        from kinsym.plot import rendered, workspace
+        from kinsym.plot import plain_style, rendered, workspace
 
-        drawn = workspace(found, unit=options.unit)
-        files |= {path: rendered(drawn, kind_of(path)) for path in pictures}
+        with plain_style():
+            drawn = workspace(found, unit=options.unit)
+            files |= {path: rendered(drawn, kind_of(path)) for path in pictures}
     write(files)
     forget(keep)
     _say(found, paths, options.unit, screen)

@@ -12,8 +12,8 @@ state or opens a window. Arms that move in a plane are drawn in the plane, other
 """
 
 from kinsym.plot.branches import branches
-from kinsym.plot.export import PICTURES, rendered
+from kinsym.plot.export import PICTURES, plain_style, rendered
 from kinsym.plot.skeleton import skeleton
 from kinsym.plot.workspace import workspace
 
-__all__ = ["PICTURES", "branches", "rendered", "skeleton", "workspace"]
+__all__ = ["PICTURES", "branches", "plain_style", "rendered", "skeleton", "workspace"]

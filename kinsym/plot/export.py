@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import matplotlib
@@ -18,3 +20,11 @@ def rendered(ax: Any, kind: str) -> bytes:
     with matplotlib.rc_context({"svg.hashsalt": _SALT, "svg.fonttype": "path"}):
         ax.figure.savefig(file, format=kind, metadata=metadata, facecolor="white")
     return file.getvalue()
+
+
+@contextmanager
+def plain_style() -> Iterator[None]:
+    """Matplotlib's own settings while a picture is made, whatever a ``matplotlibrc`` of the user says."""
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        yield

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from kinsym.live import Floats
     from kinsym.skeleton import Linkage, Posture
 
+BODIES = "bodies"
+"""What the group of all facets is called in an SVG."""
 _NAME = np.array([[-0.015, 0.0], [0.0, 0.0], [0.015, 0.0]])
 """What a name covers, as points beside its middle."""
 
@@ -46,6 +48,8 @@ def show(ax: Any, bodies: Sequence[Body], *, raster: bool = False) -> None:
     """Draw bodies, which hide each other as they do in space; ``raster`` keeps thousands of facets out of an SVG."""
     solids = Solids(bodies)
     solids.set_rasterized(raster)
+    solids.set_clip_on(False)
+    solids.set_gid(BODIES)
     ax.add_collection(solids)
 
 

@@ -1,7 +1,8 @@
 """What a sweep has found so far, kept in a file so that one that was stopped goes on where it was.
 
-The file is replaced in one step every other second, so that even a process that is killed leaves a whole one. It says
-which question it belongs to; one of another arm or of other settings is refused, never mixed in.
+The file is replaced in one step, twice a second at most and seldom enough to cost little, so that even a process that
+is killed leaves a whole one. It says which question it belongs to; one of another arm or of other settings is refused,
+never mixed in.
 """
 
 from __future__ import annotations
@@ -19,8 +20,8 @@ from kinsym.write import write_set
 if TYPE_CHECKING:
     from kinsym.workspace.sweep import Counts, Question
 
-_EVERY = 2.0
-"""Seconds between two writings."""
+_PAUSE, _COST = 0.5, 20.0
+"""The least time between two writings, in seconds and in times that the last one took."""
 _UNKNOWN = -1
 _FORMAT = "kinsym workspace, in part"
 
@@ -36,7 +37,7 @@ class Kept:
         self._hits = np.full(total, _UNKNOWN, dtype=np.int64)
         if path is not None and path.exists():
             self._hits[:] = _read(path, self._said, total)
-        self._written = time.monotonic()
+        self._next = time.monotonic() + _PAUSE
 
     def __enter__(self) -> Kept:
         return self
@@ -60,7 +61,7 @@ class Kept:
     def put(self, start: int, stop: int, hits: Counts) -> None:
         """Add what was found at some points."""
         self._hits[start:stop] = hits
-        if time.monotonic() - self._written > _EVERY:
+        if time.monotonic() > self._next:
             self._write()
 
     def done(self) -> Counts:
@@ -73,11 +74,13 @@ class Kept:
 
         if self._path is None:
             return
+        began = time.monotonic()
         said = json.dumps({"format": _FORMAT, **self._said})
         file = io.BytesIO()
         np.savez_compressed(file, said=np.array(said), hits=self._hits)
         write_set(self._path.parent, {self._path.name: file.getvalue()})
-        self._written = time.monotonic()
+        now = time.monotonic()
+        self._next = now + max(_PAUSE, _COST * (now - began))
 
 
 def forget(path: Path) -> None:
