@@ -12,7 +12,7 @@ import sys
 from collections.abc import Sequence
 
 from kinsym import __version__
-from kinsym.command import check, completion, derive, explain, importing, lecture, new, robots, show
+from kinsym.command import check, completion, derive, explain, importing, lecture, new, plot, robots, show, workspace
 from kinsym.command.parsing import Parser, parsed
 from kinsym.command.screen import Screen
 from kinsym.errors import KinsymError
@@ -21,6 +21,8 @@ COMMANDS = {
     "derive": derive,
     "show": show,
     "explain": explain,
+    "plot": plot,
+    "workspace": workspace,
     "new": new,
     "import": importing,
     "robots": robots,
@@ -41,9 +43,12 @@ examples:
   kinsym derive --dh "pi/2 0 d1 theta1; 0 a2 0 theta2" --convention paul
   kinsym derive kuka_iiwa --lock theta3    seven joints: theta3 is an input
   kinsym derive arm.urdf --tip-link tool0  a chain of a URDF file
+  kinsym derive ur5 --target extension     a package around the C, for pip
   kinsym derive ur5 --json                 the result for a program
   kinsym show ur5                          the equations only
   kinsym explain ur5 theta3                how theta3 is found, and why so
+  kinsym plot ur5 --branches               all solutions of a pose, drawn
+  kinsym workspace puma560                 a map of what the arm reaches
   kinsym new my_robot --convention paul    a robot file to start from
   kinsym import arm.urdf --tip-link tool0  a robot file from URDF
   kinsym robots wrist                      the gallery, or a part of it
