@@ -17,7 +17,7 @@ from kinsym.emit.latex.layout import SMALL, Block, Display, Matrix, Relation, al
 from kinsym.emit.latex.names import link, pose
 from kinsym.emit.latex.nominal import about
 from kinsym.emit.latex.passages import Formulas, Passages
-from kinsym.emit.latex.sentences import capital, escape, prose
+from kinsym.emit.latex.sentences import Words, capital, escape, prose
 from kinsym.emit.latex.singular import singular_section
 from kinsym.emit.prose.nominal import IN_DOUBT
 from kinsym.emit.prose.vocabulary import angle_sums, joint_angles
@@ -54,7 +54,7 @@ _WORDS = {2: "two", 4: "four"}
 _UNBROKEN = 45
 
 
-class _Writer(Formulas):
+class Writer(Formulas):
     """Turns what is not the inverse derivation into formulas."""
 
     def vector(self, vector: Vector) -> str:
@@ -187,7 +187,7 @@ class _Writer(Formulas):
     def parameters(self) -> tuple[Sequence[tuple[str, ...]], ...]:
         """Each parameter: as it is written here, as it stands in the table, its value."""
         rows = [
-            (f"${self.names[name]}$", escape(name), "required argument" if value is None else f"${decimal(value)}$")
+            (f"${self.names[name]}$", self.words(name), "required argument" if value is None else f"${decimal(value)}$")
             for name, value in self.derivation.robot.parameters.items()
         ]
         return tuple(chunks(rows))
@@ -195,7 +195,7 @@ class _Writer(Formulas):
     def branch_table(self, plan: Plan) -> tuple[Sequence[tuple[str, ...]], ...]:
         """Which branch every solution takes at every branching step, and how it is called."""
         named = zip(branch_rows(plan), self.derivation.branches.names, strict=True)
-        return tuple(chunks([(str(number), *marks, escape(name)) for (number, marks), name in named]))
+        return tuple(chunks([(str(number), *marks, self.words(name)) for (number, marks), name in named]))
 
     def closed_form(self, plan: Plan) -> dict[str, Any]:
         """What the document says of an inverse kinematics in closed form."""
@@ -204,22 +204,22 @@ class _Writer(Formulas):
         first, last = span(robot, plan.task)
         return {
             "start": "" if (first, last) in loops(plan, robot) else pose(first, last),
-            "passages": tuple(Passages(self.derivation)),
+            "passages": tuple(Passages(self.derivation, self.words)),
             "values": self.values(plan),
             "wrapped": any(value.wrapped for value in plan.values if found_by_sum(value)),
             "forks": [(fork.number, self.names[fork.unknown], _WORDS[fork.width]) for fork in forks],
             "signs": marks_explained(plan)[0],
             "numbers": marks_explained(plan)[1],
             "branches": self.branch_table(plan) if forks else (),
-            "meanings": [escape(meaning) for meaning in self.derivation.branches.meanings] if forks else [],
+            "meanings": [self.words(meaning) for meaning in self.derivation.branches.meanings] if forks else [],
             "gate": sifting(plan),
         }
 
     def without_closed_form(self, plan: GeneralPlan) -> dict[str, Any]:
         """What it says of one without."""
         return {
-            "why": capital(prose(plan.why, self.names)),
-            "steps": general_passages(self.derivation, plan, self.names),
+            "why": capital(prose(plan.why, self.names, self.words)),
+            "steps": general_passages(self.derivation, plan, self.names, self.words),
         }
 
 
@@ -228,9 +228,9 @@ def document(derivation: Derivation) -> str:
 
     The same derivation gives the same bytes: no date, no path.
     """
-    context = _context(derivation) | {"nominal": "", "in_doubt": IN_DOUBT}
+    context = context_of(derivation) | {"nominal": "", "in_doubt": IN_DOUBT}
     if derivation.nominal is not None:
-        context["nominal"] = _rendered("nominal", _context(derivation.nominal.derivation) | about(derivation.nominal))
+        context["nominal"] = _rendered("nominal", context_of(derivation.nominal.derivation) | about(derivation.nominal))
     text = _rendered("document", context)
     return re.sub(r"\n{3,}", "\n\n", re.sub(r" +\n", "\n", text))
 
@@ -239,9 +239,9 @@ def _rendered(template: str, context: dict[str, Any]) -> str:
     return environment(_DELIMITERS).get_template(f"latex/{template}.tex.j2").render(context)
 
 
-def _context(derivation: Derivation) -> dict[str, Any]:
-    """What the templates read of one derivation."""
-    writer = _Writer(derivation)
+def context_of(derivation: Derivation, words: Words = escape) -> dict[str, Any]:
+    """What the templates read of one derivation; ``words`` escapes what is no formula."""
+    writer = Writer(derivation, words)
     robot: Robot = derivation.robot
     plan = derivation.plan or derivation.general
     if plan is None:
@@ -250,7 +250,7 @@ def _context(derivation: Derivation) -> dict[str, Any]:
     held = [item for item in derivation.held if item.name not in robot.locks]
     context: dict[str, Any] = {
         "name": robot.name,
-        "title": escape(robot.title) or escape(robot.name),
+        "title": words(robot.title) or words(robot.name),
         "convention": CONVENTIONS[robot.convention].replace("Denavit-Hartenberg", "Denavit--Hartenberg"),
         "task": TASKS[plan.task],
         "screw": robot.convention is Convention.SCREW,

@@ -66,10 +66,12 @@ class MethodPrinter(LatexPrinter):
 
 def method_fragment(derivation: MethodDerivation) -> str:
     """The derivation under a heading, ready for ``\\input``."""
-    return _Fragment(derivation).text()
+    return MethodFragment(derivation).text()
 
 
-class _Fragment:
+class MethodFragment:
+    """A method as text with formulas; what LaTeX writes otherwise than Markdown are methods of their own."""
+
     def __init__(self, derivation: MethodDerivation) -> None:
         self._derivation = derivation
         used = (name for equation in derivation.equations for tree in _trees(equation) for name in symbols(tree))
@@ -78,8 +80,13 @@ class _Fragment:
         self._formula = MethodPrinter(self._names)
 
     def text(self) -> str:
+        """The page."""
+        return "\n".join(self.parts()) + "\n"
+
+    def parts(self) -> list[str]:
+        """The heading, then sentences, blocks of equations and equations of matrices in order."""
         derivation = self._derivation
-        parts = [f"\\subsection*{{{escape(derivation.title)}: {escape(derivation.robot)}}}"]
+        parts = [self.heading(f"{self.words(derivation.title)}: {self.words(derivation.robot)}")]
         waiting: list[Equation] = []
         for passage in derivation.passages:
             if isinstance(passage, Equation) and not _is_matrix(passage):
@@ -88,7 +95,23 @@ class _Fragment:
             parts += self._block(waiting)
             waiting = []
             parts.append(self._matrix(passage) if isinstance(passage, Equation) else self._sentence(passage))
-        return "\n".join([*parts, *self._block(waiting)]) + "\n"
+        return [*parts, *self._block(waiting)]
+
+    def heading(self, text: str) -> str:
+        """The heading of the page."""
+        return f"\\subsection*{{{text}}}"
+
+    def words(self, text: str) -> str:
+        """Words between formulas."""
+        return escape(text)
+
+    def reference(self, name: str) -> str:
+        """An equation, in a sentence."""
+        return f"\\eqref{{{self._label(name)}}}"
+
+    def numbered(self, name: str) -> str:
+        """What gives an equation its number, at its end."""
+        return f" \\label{{{self._label(name)}}}"
 
     def _label(self, name: str) -> str:
         return f"{self._derivation.robot}:{self._derivation.method}:{name}"
@@ -97,12 +120,12 @@ class _Fragment:
         text = ""
         for piece in pieces(sentence.text):
             if piece.kind == "reference":
-                text += f"\\eqref{{{self._label(piece.text)}}}"
+                text += self.reference(piece.text)
             elif piece.kind == "math":
                 text += f"${self._math(piece.text)}$"
             else:
                 lead, tail = piece.text[:1].isspace(), piece.text[-1:].isspace()
-                text += (" " if lead else "") + escape(piece.text) + (" " if tail and piece.text.strip() else "")
+                text += (" " if lead else "") + self.words(piece.text) + (" " if tail and piece.text.strip() else "")
         return text
 
     def _math(self, text: str) -> str:
@@ -126,7 +149,7 @@ class _Fragment:
         for block in aligned(relations):
             lines = []
             for row in block:
-                label = f" \\label{{{self._label(next(rest).name)}}}"
+                label = self.numbered(next(rest).name)
                 lines += [f"  {line} \\notag \\\\" for line in row[:-1]]
                 lines.append(f"  {row[-1]}{label} \\\\")
             lines[-1] = lines[-1].removesuffix(" \\\\")
@@ -155,7 +178,7 @@ class _Fragment:
     def _matrix(self, equation: Equation) -> str:
         """An equation of matrices on a line of its own; entry by entry where it is too wide."""
         width = sum(self._width(side) for side in (equation.left, equation.right))
-        label = f" \\label{{{self._label(equation.name)}}}"
+        label = self.numbered(equation.name)
         if width <= PAGE - 30.0 or not isinstance(equation.right, Matrix):
             text = f"{self._side(equation.left)} {relation_sign(equation.sign)} {self._side(equation.right)}"
             return f"\\begin{{equation}}\n  {text}{label}\n\\end{{equation}}"

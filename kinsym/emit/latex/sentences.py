@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Callable
 
 from kinsym.emit.latex.names import Names, link, pose
 
@@ -91,6 +92,9 @@ def escape(text: str) -> str:
     return " ".join(word for word in words if word)
 
 
+Words = Callable[[str], str]
+"""Escapes words for the document that they stand in."""
+
 _TOKEN = re.compile(
     r"(?P<pose>T_(?P<left>\d+)_(?P<right>\d+))"
     r"|(?P<link>[AL]\d+)(?P<inverse>\^-1)?"
@@ -110,8 +114,8 @@ def _is_symbol(name: str, names: Names) -> bool:
     return name in names and (bool(re.search(r"[0-9_]", name)) or name in ("alpha", "beta", "gamma", "phi", "psi"))
 
 
-def prose(text: str, names: Names) -> str:
-    r"""A sentence of the plan, its names set as mathematics.
+def prose(text: str, names: Names, words: Words = escape) -> str:
+    r"""A sentence of the plan, its names set as mathematics and the rest escaped by ``words``.
 
     >>> prose("row z of A1^-1 T_0_6, for theta1", Names(["theta1"]))
     'row $z$ of $A_{1}^{-1} \\, {}^{0}T_{6}$, for $\\theta_{1}$'
@@ -123,7 +127,7 @@ def prose(text: str, names: Names) -> str:
         nonlocal plain
         lead, tail = plain[: len(plain) - len(plain.lstrip())], plain[len(plain.rstrip()) :]
         if plain.strip():
-            parts.append((" " if lead else "") + escape(plain) + (" " if tail else ""))
+            parts.append((" " if lead else "") + words(plain) + (" " if tail else ""))
         elif plain:
             parts.append(" ")
         plain = ""
