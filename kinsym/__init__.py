@@ -3,7 +3,7 @@
 >>> import kinsym as ks
 >>> solution = ks.derive(ks.load("fanuc_s900w"))
 >>> [step.unknown for step in solution.ik]
-['theta1', 'theta3', 'theta2', 'theta5', 'theta4', 'theta6']
+['theta1', 'theta3', 'theta2', 'theta4', 'theta5', 'theta6']
 
 Importing the package is quick on purpose: SymPy and NumPy are loaded by the parts that calculate, when they are used.
 """
