@@ -12,12 +12,14 @@ import sys
 from collections.abc import Sequence
 
 from kinsym import __version__
-from kinsym.command import check, derive, importing, lecture, robots, show
+from kinsym.command import check, derive, importing, lecture, plot, robots, show, workspace
 from kinsym.errors import KinsymError
 
 COMMANDS = {
     "derive": derive,
     "show": show,
+    "plot": plot,
+    "workspace": workspace,
     "import": importing,
     "robots": robots,
     "check": check,
@@ -36,6 +38,8 @@ examples:
   kinsym derive arm.urdf --tip-link tool0   a chain of a URDF file
   kinsym import arm.urdf --tip-link tool0   the same as a robot file, to read and edit
   kinsym show ur5                           the equations only
+  kinsym plot ur5 --branches                all solutions of a pose, drawn over each other
+  kinsym workspace puma560                  a map of what the arm reaches, and the data
   kinsym check out                          the checks again, on the files in ./out
   kinsym lecture                            every equation of the lecture, derived and compared
 

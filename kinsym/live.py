@@ -5,7 +5,7 @@ The functions are those of the generated NumPy module, or of the compiled packag
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -201,7 +201,7 @@ def live(robot: Robot, values: Mapping[str, float] | None = None) -> LiveArm:
     from kinsym.emit.live import live_module
     from kinsym.emit.program import build_schedule
 
-    check_values(robot, values)
+    checked_values(robot, values)
     derivation = derive(robot)
     return with_values(derivation, live_module(build_schedule(derivation)), values)
 
@@ -209,15 +209,15 @@ def live(robot: Robot, values: Mapping[str, float] | None = None) -> LiveArm:
 def with_values(derivation: Derivation, module: ModuleType, values: Mapping[str, float] | None = None) -> LiveArm:
     """The functions of a module, NumPy or compiled, with numbers; raises what :func:`check_values` raises."""
     robot = derivation.robot
-    given, inputs = check_values(robot, values), _inputs_of(robot)
+    given, inputs = checked_values(robot, values), _inputs_of(robot)
     parameters = {name: given[name] for name in robot.parameters if name in given}
     return LiveArm(derivation, module, parameters, {name: given[name] for name in inputs})
 
 
-def check_values(robot: Robot, values: Mapping[str, float] | None) -> dict[str, float]:
-    """The values themselves; RobotError if one is missing, is no finite number, or belongs to no parameter."""
-    given, inputs = dict(values or {}), _inputs_of(robot)
-    _check(robot, given, inputs)
+def checked_values(robot: Robot, values: Mapping[str, float] | None) -> dict[str, float]:
+    """The values themselves; raises what :func:`check_values` raises where one or a locked input has none."""
+    given = dict(values or {})
+    check_values(robot, given, _inputs_of(robot))
     return given
 
 
@@ -225,7 +225,8 @@ def _inputs_of(robot: Robot) -> list[str]:
     return [name for name, cell in robot.locks.items() if cell is None]
 
 
-def _check(robot: Robot, given: Mapping[str, float], inputs: list[str]) -> None:
+def check_values(robot: Robot, given: Mapping[str, float], inputs: Sequence[str] = ()) -> None:
+    """Raise :class:`RobotError` where a parameter or one of the inputs has no value, or a value no name or number."""
     import math
     from numbers import Real
 
@@ -241,12 +242,17 @@ def _check(robot: Robot, given: Mapping[str, float], inputs: list[str]) -> None:
         raise RobotError(
             f"the parameter{'' if one else 's'} {', '.join(lacking)} ha{'s' if one else 've'} no value",
             where=robot.name,
-            remedy="Write numbers under [parameters] of the robot file, or give them with the call.",
+            remedy="Write numbers under [parameters] of the robot file, or give them with the call "
+            f"(on the command line: {' '.join(_option(robot, name) for name in lacking)}).",
         )
     for name, value in given.items():
         if not isinstance(value, Real) or not math.isfinite(value):
             raise RobotError(f"{name} = {value!r} is no number", where=robot.name, remedy="Give a finite number.")
 
 
-def _list(robot: Robot, inputs: list[str]) -> str:
+def _option(robot: Robot, name: str) -> str:
+    return f"--{'bind' if name in robot.parameters else 'lock'} {name}=VALUE"
+
+
+def _list(robot: Robot, inputs: Sequence[str]) -> str:
     return ", ".join([*robot.parameters, *inputs]) or "none"

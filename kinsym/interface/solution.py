@@ -21,7 +21,7 @@ from kinsym.errors import CheckFailed
 from kinsym.interface.compiling import compiled_module
 from kinsym.interface.formulas import ForwardKinematics, Jacobian, SingularPoses
 from kinsym.interface.inverse import InverseKinematics
-from kinsym.live import LiveArm, check_values, with_values
+from kinsym.live import LiveArm, checked_values, with_values
 from kinsym.robot.model import Robot, Task
 
 if TYPE_CHECKING:
@@ -140,7 +140,7 @@ class Solution(Displayed):
         ``values`` are those of parameters that have none in the table, and of locked joints that are inputs. Raises
         RobotError for one that is missing, is no number or is not the robot's.
         """
-        check_values(self.robot, values)
+        checked_values(self.robot, values)
         return with_values(self.derivation, self._module(), values)
 
     def compile(self, values: Values | None = None) -> LiveArm:
@@ -148,7 +148,7 @@ class Solution(Displayed):
 
         Raises what :meth:`numpy` raises, and KinsymError where there is no C compiler or no Python.h.
         """
-        check_values(self.robot, values)
+        checked_values(self.robot, values)
         return with_values(self.derivation, compiled_module(self.schedule), values)
 
     def _module(self) -> ModuleType:
@@ -187,7 +187,7 @@ def compile(robot: Robot, values: Values | None = None) -> LiveArm:
     time of the derivation and of the C compiler and leaves no files. Raises what :func:`derive` raises, RobotError for
     ``values`` that lack a number, and KinsymError where there is no C compiler or no Python.h.
     """
-    check_values(robot, values)
+    checked_values(robot, values)
     return derive(robot).compile(values)
 
 
