@@ -15,6 +15,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import matplotlib.font_manager  # noqa: F401 - collects the fonts, which a kernel would tell about
 import nbformat
 import numpy as np
 from matplotlib.image import imread
@@ -51,11 +52,11 @@ def executed(name: str) -> Any:
             cell.outputs, cell.execution_count = [], None
     with tempfile.TemporaryDirectory(prefix="kinsym-notebook-") as home:
         # The user's settings of IPython and matplotlib stay out, and so does the user's history.
+        Path(home, "matplotlibrc").touch()
         environment = {
             **os.environ,
             "IPYTHONDIR": home,
             "JUPYTER_PLATFORM_DIRS": "1",
-            "MPLCONFIGDIR": home,
             "PYDEVD_DISABLE_FILE_VALIDATION": "1",
             "PYTHONPATH": str(ROOT),
         }

@@ -22,13 +22,15 @@ Axes = Any
 """Axes of matplotlib, in the plane or in space."""
 
 _ELEVATION = 22.0
+_ASIDE = 20
+"""How many degrees the view is at least off the axes x and y."""
 _ROOM = 0.09
 """What is left free around the arm, a share of its extent."""
 _ROW = 0.2
 """The height of a row of a legend, in inches."""
 _SCALE = 0.11
 """The share of a picture that a scale of colours takes."""
-_FILLED = 0.84
+_FILLED = 0.82
 """The share of its axes that a picture in space takes; the rest is for ticks and labels."""
 _LEAST = 0.35
 """A picture in space is at least so high, and so deep, as a share of its longest side."""
@@ -94,7 +96,9 @@ def look_at(ax: Axes, points: Floats) -> None:
     _, sizes, directions = np.linalg.svd(spread, full_matrices=False)
     along = math.degrees(math.atan2(directions[0][1], directions[0][0])) if sizes[0] > 1e-9 else 0.0
     along = (along + 90.0) % 180.0 - 90.0
-    ax.view_init(elev=_ELEVATION, azim=round(along - 60.0))
+    turned = round(along - 60.0)
+    # Seen along one of its axes a box loses that axis.
+    ax.view_init(elev=_ELEVATION, azim=min(max(turned, 90 * (turned // 90) + _ASIDE), 90 * (turned // 90 + 1) - _ASIDE))
 
 
 def plain(ax: Axes, points: Floats, size: float, unit: str, names: tuple[str, str]) -> None:

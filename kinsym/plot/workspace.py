@@ -140,8 +140,8 @@ def _in_space(ax: Any, result: Workspace, *, unit: str, own: bool) -> None:
     x, y = grid[0][:, None, None], grid[1][None, :, None]
     kept = result.inside & ~((x > result.base[0]) & (y < result.base[1]))
     values = result.share if _shared(result) else np.full(result.hits.shape, _PLAIN)
-    bodies = list(_blocks(grid, kept, values))
-    space.show(ax, bodies, raster=True)
+    if kept.any():
+        space.show(ax, _blocks(grid, kept, values), raster=True)
     if _shared(result):
         canvas.scale(ax, ScalarMappable(Normalize(0.0, 1.0), _MAP), _SCALE, own=own)
 

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import io
 import json
+import os
 import time
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from kinsym.errors import OutputError
-from kinsym.write import write_set
 
 if TYPE_CHECKING:
     from kinsym.workspace.sweep import Counts, Question
@@ -76,9 +76,15 @@ class Kept:
             return
         began = time.monotonic()
         said = json.dumps({"format": _FORMAT, **self._said})
-        file = io.BytesIO()
-        np.savez_compressed(file, said=np.array(said), hits=self._hits)
-        write_set(self._path.parent, {self._path.name: file.getvalue()})
+        fresh = _fresh(self._path)
+        try:
+            fresh.parent.mkdir(parents=True, exist_ok=True)
+            with fresh.open("wb") as file:
+                np.savez_compressed(file, said=np.array(said), hits=self._hits)
+            os.replace(fresh, self._path)
+        except OSError as error:
+            reason = (error.strerror or str(error)).lower()
+            raise OutputError(f"{self._path} could not be written: {reason}. Name another output.") from error
         now = time.monotonic()
         self._next = now + max(_PAUSE, _COST * (now - began))
 
@@ -86,6 +92,12 @@ class Kept:
 def forget(path: Path) -> None:
     """Remove the file of a sweep whose results are written."""
     path.unlink(missing_ok=True)
+    _fresh(path).unlink(missing_ok=True)
+
+
+def _fresh(path: Path) -> Path:
+    """Where the file is written before it is moved into place; a process that is killed may leave it behind."""
+    return path.with_name(path.name + ".new")
 
 
 def _read(path: Path, said: dict[str, str], total: int) -> Any:
@@ -93,7 +105,7 @@ def _read(path: Path, said: dict[str, str], total: int) -> Any:
 
     remedy = "Remove the file, or name another output."
     try:
-        with np.load(path, allow_pickle=False) as content:
+        with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as content:
             kept, hits = json.loads(str(content["said"])), np.asarray(content["hits"])
         if kept.get("format") != _FORMAT:
             raise ValueError("it is of another format")

@@ -94,7 +94,7 @@ def _on_cluster(question: Question, parts: Sequence[Part], address: str) -> Iter
         shared = client.scatter(question, broadcast=True)
         futures = [client.submit(task, shared, *part, pure=False) for part in parts]
         try:
-            for _, found in as_completed(futures, with_results=True):
+            for _, found in as_completed(futures, with_results=True, loop=client.loop):
                 yield found
         finally:
             client.cancel(futures)

@@ -78,9 +78,7 @@ def step(derivation: Derivation, of: Step, before: Step | None) -> str:
 
 def singular(derivation: Derivation) -> str:
     """det J in factors, what each of them means, and where a joint is free."""
-    section = singular_section(Writer(derivation, words))
-    families = [(f"${where}$", sentence) for where, sentence in section.families]
-    return _rendered("singular", {**_TABLES, "poses": section, "families": families})
+    return _rendered("singular", {"poses": singular_section(Writer(derivation, words))})
 
 
 def whole(derivation: Derivation) -> str:
