@@ -16,12 +16,11 @@ from kinsym.plot import workspace as drawn
 from kinsym.robot import load, lock
 from kinsym.robot.files import from_draft
 from kinsym.skeleton import linkage
-from kinsym.workspace import dexterous, reachable
-from kinsym.workspace import sweep as sweeps
+from kinsym.workspace import ask, dexterous, reachable, sweeping
 from kinsym.workspace.files import data
 from kinsym.workspace.grids import endless, slice_grid, volume_grid, window
 from kinsym.workspace.partial import forget
-from kinsym.workspace.sweep import Question, Workspace, found, sweep
+from kinsym.workspace.sweeping import Question, Workspace, found, sweep
 
 LENGTHS = {"l1": 0.4, "l2": 0.25}
 LINKS = {"l1": 0.4, "l2": 0.3, "l3": 0.1}
@@ -43,7 +42,7 @@ def three_links(points: int = 21, **changes: Any) -> Question:
 @pytest.fixture
 def small_parts(monkeypatch: pytest.MonkeyPatch) -> None:
     """Many tasks instead of one."""
-    monkeypatch.setattr(sweeps, "_POSES", 1000)
+    monkeypatch.setattr("kinsym.workspace.sweeping._POSES", 1000)
 
 
 @pytest.fixture
@@ -76,6 +75,22 @@ def test_grids() -> None:
     for points, message in ((1, "is none"), (10**6, "are too many")):
         with pytest.raises(RobotError, match=message):
             volume_grid(arm, points)
+
+
+def test_what_is_asked_without_saying_much() -> None:
+    """The plane of an arm that has one, else y = 0; the values of an arm that is live."""
+    arm = live(load("planar_rr"), LENGTHS)
+    question = ask(arm, points=5)
+    assert (question.z, len(question.x), dict(question.values)) == ((0.0,), 5, LENGTHS)
+    assert ask(load("puma560")).y == (0.0,)
+    assert ask(load("puma560"), volume=True, points=5).shape == (5, 5, 5)
+    turned = lock(load("kuka_iiwa"), {"theta3": None}, where="test")
+    assert ask(turned, points=3, values={"theta3": 0.5}).values == {"theta3": 0.5}
+    for wrong in ({"plane": ("x", 0.0)}, {"volume": True}):
+        with pytest.raises(RobotError, match="the arm moves in the plane of x and y"):
+            ask(arm, **wrong)
+    with pytest.raises(RobotError, match="'w' is no coordinate"):
+        ask(load("puma560"), plane=("w", 0.0))
 
 
 def test_a_sweep_is_what_its_points_are(small_parts: None) -> None:
@@ -146,7 +161,7 @@ def test_a_sweep_that_was_stopped_goes_on(tmp_path: Path, monkeypatch: pytest.Mo
         sweep(question, keep=keep, progress=stop)
     assert keep.exists()
     evaluated: list[int] = []
-    real = sweeps.evaluate
+    real = sweeping.evaluate
 
     def counted(question: Question, arm: Any, start: int, stop: int) -> Any:
         evaluated.append(stop - start)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import importlib.util
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -40,6 +41,12 @@ def kind_of(path: Path) -> str:
     'svg'
     """
     return path.suffix.lower().removeprefix(".")
+
+
+def unit_of(options: argparse.Namespace) -> str:
+    """The unit to write at the axes: the one that is given, metres for a URDF file, which has no other, else none."""
+    metres = options.table is not None and options.table.lower().endswith(".urdf")
+    return options.unit or ("m" if metres else "")
 
 
 def write(files: Mapping[Path, bytes]) -> None:

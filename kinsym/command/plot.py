@@ -64,13 +64,14 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
 
 def _picture(robot: Robot, options: argparse.Namespace, screen: Screen) -> Any:
     from kinsym.command.cells import pose_of, posture_of
+    from kinsym.command.output import unit_of
     from kinsym.live import live
     from kinsym.plot import branches, skeleton
     from kinsym.skeleton import linkage
 
     shape = linkage(robot)
     q = posture_of(robot, shape, options.joints)
-    look = {"frames": not options.no_frames, "unit": options.unit}
+    look: dict[str, Any] = {"frames": not options.no_frames, "unit": unit_of(options)}
     if options.branch is None and not options.branches:
         _say(screen, shape, q, "")
         return skeleton(robot, q, **look)

@@ -13,9 +13,7 @@ from kinsym.errors import KinsymError, RobotError
 if TYPE_CHECKING:
     from kinsym.command.screen import Screen
     from kinsym.robot.model import Robot
-    from kinsym.skeleton import Linkage
-    from kinsym.workspace.grids import Axis
-    from kinsym.workspace.sweep import Question, Workspace
+    from kinsym.workspace.sweeping import Question, Workspace
 
 HELP = "what the arm reaches: a map of a slice, a volume, data"
 KINDS = ("reachable", "dexterous", "constant")
@@ -65,11 +63,11 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace, screen: Screen) -> int:
     """Read, evaluate, write; what was found of a sweep that is stopped stays in a file beside the first output."""
     from kinsym.command.bar import Bar
-    from kinsym.command.output import PICTURES, kind_of, targets, write
+    from kinsym.command.output import PICTURES, kind_of, targets, unit_of, write
     from kinsym.command.table import robot_of, say_notes
     from kinsym.workspace.files import FORMATS, data
     from kinsym.workspace.partial import forget
-    from kinsym.workspace.sweep import sweep
+    from kinsym.workspace.sweeping import sweep
 
     _check(options)
     robot = robot_of(options)
@@ -94,11 +92,11 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
         from kinsym.plot import plain_style, rendered, workspace
 
         with plain_style():
-            drawn = workspace(found, unit=options.unit)
+            drawn = workspace(found, unit=unit_of(options))
             files |= {path: rendered(drawn, kind_of(path)) for path in pictures}
     write(files)
     forget(keep)
-    _say(found, paths, options.unit, screen)
+    _say(found, paths, unit_of(options), screen)
     return 0
 
 
@@ -117,46 +115,39 @@ def _check(options: argparse.Namespace) -> None:
 
 def _question(robot: Robot, options: argparse.Namespace, screen: Screen) -> Question:
     from kinsym.command.cells import numbers, rotation
-    from kinsym.live import check_values
     from kinsym.skeleton import linkage
+    from kinsym.workspace.asking import ask
     from kinsym.workspace.grids import endless
-    from kinsym.workspace.sweep import Question
 
-    check_values(robot, {}, [name for name, cell in robot.locks.items() if cell is None])
-    shape = linkage(robot)
     kind = options.kind or ("reachable" if options.orientation is None else "constant")
-    turned = None
-    if kind == "constant":
-        matrix = rotation(numbers(options.orientation or "0, 0, 0", (3,), "--orientation"))
-        turned = tuple(tuple(float(entry) for entry in row) for row in matrix)
-    x, y, z = _grid(robot, shape, options)
-    without = endless(shape)
+    question = ask(
+        robot,
+        kind,
+        plane=_plane(options.slice),
+        volume=options.volume,
+        points=options.points,
+        count=options.count,
+        rotation=rotation(numbers(options.orientation or "0, 0, 0", (3,), "--orientation"))
+        if kind == "constant"
+        else None,
+        limits=not options.no_limits,
+    )
+    without = endless(linkage(robot))
     if without:
         have = "has" if len(without) == 1 else "have"
         screen.say(f"{', '.join(without)} {have} no limits: the picture ends where the grid does, not the workspace.")
-    limits = not options.no_limits
-    return Question(robot=robot, kind=kind, x=x, y=y, z=z, count=options.count, rotation=turned, limits=limits)
+    return question
 
 
-def _grid(robot: Robot, shape: Linkage, options: argparse.Namespace) -> tuple[Axis, Axis, Axis]:
+def _plane(text: str | None) -> tuple[str, float] | None:
     from kinsym.robot.expressions import number
-    from kinsym.workspace.grids import slice_grid, volume_grid
 
-    points = options.points or (POINTS_OF_VOLUME if options.volume else POINTS)
-    if shape.plane is not None:
-        if options.volume or options.slice is not None:
-            plane = " and ".join("xyz"[k] for k in shape.plane)
-            raise RobotError(
-                f"the arm moves in the plane of {plane}", where=robot.name, remedy="Leave out --slice and --volume."
-            )
-        (normal,) = {0, 1, 2} - set(shape.plane)
-        return slice_grid(shape, points, "xyz"[normal], float(shape.frames[-1][normal, 3]))
-    if options.volume:
-        return volume_grid(shape, points)
-    name, equals, value = (part.strip() for part in (options.slice or "y=0").partition("="))
+    if text is None:
+        return None
+    name, equals, value = (part.strip() for part in text.partition("="))
     if name not in ("x", "y", "z") or not equals:
-        raise RobotError(f"{options.slice!r} is no plane", where="--slice", remedy="Write, for example, --slice z=0.3.")
-    return slice_grid(shape, points, name, float(number(value, where="--slice")))
+        raise RobotError(f"{text!r} is no plane", where="--slice", remedy="Write, for example, --slice z=0.3.")
+    return name, float(number(value, where="--slice"))
 
 
 def _say(found: Workspace, paths: list[Path], unit: str, screen: Screen) -> None:

@@ -14,11 +14,11 @@ from matplotlib.patches import Circle, Patch
 from kinsym.errors import RobotError
 from kinsym.plot import canvas, space, style
 from kinsym.plot.solids import Body
-from kinsym.plot.writing import name_text, number_text
+from kinsym.plot.writing import number_text, value_text
 
 if TYPE_CHECKING:
     from kinsym.live import Floats
-    from kinsym.workspace.sweep import Question, Workspace
+    from kinsym.workspace.sweeping import Question, Workspace
 
 _MAP = ListedColormap(colormaps["viridis"](np.linspace(0.08, 0.97, 256)))
 """Brighter is more; even in lightness, so that it can be read without colours (Smith and van der Walt 2015)."""
@@ -30,7 +30,7 @@ _VOLUME_VIEW = (28.0, -52.0)
 
 
 def workspace(result: Workspace, ax: Any = None, *, unit: str = "") -> Any:
-    """Draw a workspace that :func:`kinsym.workspace.sweep.sweep` has found; the axes.
+    """Draw a workspace that :func:`kinsym.workspace.sweeping.sweep` has found; the axes.
 
     A slice is a map, coloured by the share of the orientations that are reached at each point, with the closed border
     where it is known. A volume is drawn with the quarter in front left out. ``ax`` are axes in the plane or in
@@ -58,12 +58,11 @@ def said(result: Workspace) -> str:
         "dexterous": "Dexterous workspace",
         "constant": "Workspace of one orientation",
     }[question.kind]
-    held = [f"{name_text(name)} = {number_text(value, 4)}" for name, value in question.values.items()]
-    held += [
-        f"{name} = {number_text(axis[0], 4)}"
-        for name, axis in zip("xyz", _grid(question), strict=True)
-        if len(axis) == 1
-    ]
+    robot, kinds = question.robot, {joint.variable: joint.kind for joint in question.robot.moving}
+    locked = {name: float(cell) for name, cell in robot.locks.items() if cell is not None}
+    held = [value_text(name, kinds.get(name, "P"), value) for name, value in {**question.values, **locked}.items()]
+    slices = zip("xyz", _grid(question), strict=True)
+    held += [f"{name} = {number_text(axis[0], 4)}" for name, axis in slices if len(axis) == 1]
     limits = [] if question.limits else ["limits of the joints left out"]
     none = [] if result.inside.any() else ["no point of the grid is inside"]
     return ",  ".join([kind, *held, *limits, *none])
@@ -110,15 +109,7 @@ def _in_plane(ax: Any, result: Workspace, *, unit: str, own: bool) -> None:
     base = result.base[[across, up]]
     ax.plot(*base, marker="^", color=style.X, markeredgecolor="white", markersize=9, linestyle="none", zorder=5)
     handles.append(Line2D([], [], marker="^", color=style.X, markeredgecolor="white", linestyle="none", label="base"))
-    ax.set_xlim(*_wide(ax, edges[:2], 0))
-    ax.set_ylim(*_wide(ax, edges[2:], 1))
     canvas.legend(ax, handles, own=own, columns=4)
-
-
-def _wide(ax: Any, ends: tuple[float, float], side: int) -> tuple[float, float]:
-    """The ends of an axis that has room for the picture and for equal scales."""
-    current = (ax.get_xlim, ax.get_ylim)[side]()
-    return min(current[0], ends[0]), max(current[1], ends[1])
 
 
 def _inside_label(result: Workspace) -> str:

@@ -33,12 +33,17 @@ def posture_text(variables: Sequence[str], kinds: Sequence[str], q: Floats) -> s
     >>> posture_text(["theta1", "d2"], "RP", np.array([np.pi / 2, 0.25]))
     '$\\\\theta_{1}$ = 90°,  $d_{2}$ = 0.25'
     """
-    shown = [
-        f"{name_text(name)} = {number_text(math.degrees(value), 1)}°" if kind == "R"
-        else f"{name_text(name)} = {number_text(value, 4)}"
-        for name, kind, value in zip(variables, kinds, q, strict=True)
-    ]  # fmt: skip
-    return ",  ".join(shown)
+    return ",  ".join(value_text(*each) for each in zip(variables, kinds, q, strict=True))
+
+
+def value_text(name: str, kind: str, value: float) -> str:
+    """A name with its value, an angle in degrees if its ``kind`` is "R".
+
+    >>> value_text("theta3", "R", 0.5)
+    '$\\\\theta_{3}$ = 28.6°'
+    """
+    shown = f"{number_text(math.degrees(value), 1)}°" if kind == "R" else number_text(value, 4)
+    return f"{name_text(name)} = {shown}"
 
 
 def number_text(value: float, places: int) -> str:

@@ -7,7 +7,7 @@ import json
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from kinsym.workspace.sweep import Workspace
+    from kinsym.workspace.sweeping import Workspace
 
 FORMATS = ("csv", "npz")
 

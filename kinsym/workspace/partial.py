@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 from kinsym.errors import OutputError
 
 if TYPE_CHECKING:
-    from kinsym.workspace.sweep import Counts, Question
+    from kinsym.workspace.sweeping import Counts, Question
 
 _PAUSE, _COST = 0.5, 20.0
 """The least time between two writings, in seconds and in times that the last one took."""

@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any
 
 from kinsym.errors import KinsymError
 from kinsym.live import LiveArm, live
-from kinsym.workspace.sweep import Question, evaluate
+from kinsym.workspace.sweeping import Question, evaluate
 
 if TYPE_CHECKING:
-    from kinsym.workspace.sweep import Counts
+    from kinsym.workspace.sweeping import Counts
 
 Part = tuple[int, int]
 Found = tuple[int, int, "Counts"]

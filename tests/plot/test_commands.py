@@ -18,7 +18,7 @@ from kinsym.cli import main
 from kinsym.command.bar import Bar
 from kinsym.command.workspace import KINDS, ORIENTATIONS
 from kinsym.plot.export import PICTURES
-from kinsym.workspace import evaluate, sweep
+from kinsym.workspace import evaluate, sweeping
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 BIND = ["--bind", "l1=0.4", "--bind", "l2=0.25"]
@@ -47,7 +47,7 @@ def kinsym(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pyte
 def test_the_parser_repeats_what_it_does_not_load() -> None:
     from kinsym.command import output
 
-    assert KINDS == sweep.KINDS
+    assert KINDS == sweeping.KINDS
     assert ORIENTATIONS == evaluate.ORIENTATIONS
     assert output.PICTURES == PICTURES
 
@@ -65,6 +65,20 @@ def test_a_picture_and_the_posture_it_shows(kinsym: Run) -> None:
     assert kinsym("plot", "planar_rr", *BIND, "-o", "new/arm.PNG", "--quiet") == 0
     assert Path("new/arm.PNG").read_bytes().startswith(b"\x89PNG")
     assert kinsym.out == kinsym.err == ""
+
+
+def test_urdf_lengths_are_metres(kinsym: Run) -> None:
+    limit = '<limit lower="-2" upper="2" effort="1" velocity="1"/>'
+    links = "".join(f'<link name="{name}"/>' for name in "abc")
+    joints = "".join(
+        f'<joint name="j{below}" type="revolute"><parent link="{above}"/><child link="{below}"/>'
+        f'<origin xyz="0.3 0 0"/><axis xyz="0 0 1"/>{limit}</joint>'
+        for above, below in ("ab", "bc")
+    )
+    Path("arm.urdf").write_text(f'<robot name="arm">{links}{joints}</robot>')
+    for options, label in (([], "x [m]"), (["--unit", "mm"], "x [mm]")):
+        assert kinsym("plot", "arm.urdf", *options, "-o", "arm.svg") == 0
+        assert f"<!-- {label} -->" in Path("arm.svg").read_text()
 
 
 def test_branches(kinsym: Run) -> None:
