@@ -25,7 +25,6 @@ ROOT = Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "notebooks"
 SECONDS = 120
 PICTURES = ("image/png",)
-TEXTS = ("text/plain", "text/markdown")
 _METADATA = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
     "language_info": {"name": "python"},
@@ -126,7 +125,7 @@ def _outputs(notebook: Any) -> Iterator[tuple[int, str, str]]:
             if output.output_type == "stream":
                 yield number, output.name, output.text
             else:
-                yield from ((number, kind, text) for kind, text in output.data.items())
+                yield from ((number, kind, text) for kind, text in sorted(output.data.items()))
 
 
 def main(wanted: list[str]) -> None:
