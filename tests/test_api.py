@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import kinsym as ks
+from kinsym import derivation
 from kinsym.check import compare, compiler, extension
 from kinsym.check.report import FAILED, Check
 from kinsym.emit.live import live_module
@@ -242,6 +243,21 @@ def test_what_a_build_needs_is_told(missing: str, message: str, monkeypatch: pyt
     monkeypatch.setattr(compiling, missing, lambda: None)
     with pytest.raises(KinsymError, match=f"(?s)ur5 cannot be compiled: {message}.* needs none"):
         derived("ur5").compile()
+
+
+def test_what_is_no_robot_is_told() -> None:
+    for call in (ks.derive, ks.compile):
+        with pytest.raises(ks.RobotError, match=r"ur5.* is no robot. Load it first: derive\(load\(\"ur5\"\)\)"):
+            call("ur5")  # type: ignore[operator]
+
+
+def test_an_arm_whose_entries_fill_pages_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = ks.derive(ks.load("planar_rr"))
+    assert "J_1 = " in found.jacobian.text()
+    monkeypatch.setattr(derivation, "MOST_TERMS", 0)
+    pages = (found.fk.text(), found.jacobian.text(), found.fk.markdown(), found.jacobian.markdown())
+    assert ["would fill pages" in page for page in pages] == [True] * 4
+    assert not ["J_1 = " for page in pages if "J_1 = " in page or "p_x =" in page]
 
 
 def test_short_names_for_the_console() -> None:

@@ -95,6 +95,8 @@ class Jacobian(Formulas):
 
     def text(self) -> str:
         """The columns for a terminal, and the names that they are written in."""
+        if self.derivation.long:
+            return Page().prose("The entries multiplied out would fill pages; the code finds them frame by frame.")
         return jacobian(self.derivation.forward, self.derivation.jacobian)
 
     def markdown(self) -> str:

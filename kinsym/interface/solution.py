@@ -17,12 +17,13 @@ from kinsym.display import Displayed
 from kinsym.emit.live import live_module
 from kinsym.emit.program import build_schedule
 from kinsym.emit.schedule import Schedule
-from kinsym.errors import CheckFailed
+from kinsym.errors import CheckFailed, KinsymError, RobotError
 from kinsym.interface.compiling import compiled_module
 from kinsym.interface.formulas import ForwardKinematics, Jacobian, SingularPoses
 from kinsym.interface.inverse import InverseKinematics
 from kinsym.live import LiveArm, checked_values, with_values
 from kinsym.robot.model import Robot, Task
+from kinsym.robot.names import nearest, shown
 
 if TYPE_CHECKING:
     from types import ModuleType
@@ -177,7 +178,7 @@ def derive(robot: Robot, *, task: Task | None = None, deadline: float | None = N
     >>> solution.ik(pose).shape
     (8, 6)
     """
-    return Solution(derivation_of(robot, task=task, deadline=deadline))
+    return Solution(derivation_of(_robot(robot), task=task, deadline=deadline))
 
 
 def compile(robot: Robot, values: Values | None = None) -> LiveArm:
@@ -187,14 +188,18 @@ def compile(robot: Robot, values: Values | None = None) -> LiveArm:
     time of the derivation and of the C compiler and leaves no files. Raises what :func:`derive` raises, RobotError for
     ``values`` that lack a number, and KinsymError where there is no C compiler or no Python.h.
     """
-    checked_values(robot, values)
+    checked_values(_robot(robot), values)
     return derive(robot).compile(values)
+
+
+def _robot(given: object) -> Robot:
+    if not isinstance(given, Robot):
+        raise RobotError(f"{shown(repr(given))} is no robot", remedy='Load it first: derive(load("ur5")).')
+    return given
 
 
 def _known(targets: Sequence[str] | None) -> Sequence[str] | None:
     from kinsym.command.rendering import FILES
-    from kinsym.errors import KinsymError
-    from kinsym.robot.names import nearest, shown
 
     if isinstance(targets, str):
         targets = [targets]

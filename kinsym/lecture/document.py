@@ -25,7 +25,8 @@ numbers. A mistake is an entry whose printed form fails and whose mended form pa
 Of the {counted} link transforms, products, elements of forward kinematics and solutions kinsym prints {alike} in the
 lecture's form: the same expression up to the order of terms and factors and the place of a minus sign.
 
-This page is written by `kinsym lecture --markdown`.
+This page is written by `kinsym lecture --markdown`. The notebooks in [`notebooks/`](../notebooks) show
+one part of the lecture each, derived and drawn.
 """
 
 
