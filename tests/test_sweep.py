@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import io
+from concurrent.futures import Future
+from concurrent.futures.process import BrokenProcessPool
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -219,6 +221,48 @@ def test_a_dask_cluster_finds_the_same() -> None:
     assert (result.hits == sweep(question).hits).all()
 
 
+@pytest.mark.usefixtures("small_parts")
+def test_a_cluster_that_goes_away(tmp_path: Path) -> None:
+    """What it had found is kept, and the message says so."""
+    import distributed
+
+    cluster = distributed.LocalCluster(n_workers=1, threads_per_worker=1, processes=False, dashboard_address=":0")
+    calls: list[int] = []
+
+    def close(done: int, total: int) -> None:
+        calls.append(done)
+        if len(calls) == 2:
+            cluster.close(timeout=5)
+
+    keep = tmp_path / "x.partial.npz"
+    with cluster, pytest.raises(KinsymError, match=r"gave up: .*What was found is kept"):
+        sweep(three_links(31), scheduler=cluster.scheduler_address, keep=keep, progress=close)
+    assert keep.exists()
+
+
+def test_a_process_that_is_killed(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Pool:
+        """Processes that the system ends, as it does when memory runs out."""
+
+        def __init__(self, *_: object, **__: object) -> None: ...
+
+        def __enter__(self) -> Pool:
+            return self
+
+        def __exit__(self, *_: object) -> None: ...
+
+        def submit(self, *_: object) -> Future[object]:
+            future: Future[object] = Future()
+            future.set_exception(BrokenProcessPool("a process was terminated abruptly"))
+            return future
+
+        def shutdown(self, **_: object) -> None: ...
+
+    monkeypatch.setattr("concurrent.futures.ProcessPoolExecutor", Pool)
+    with pytest.raises(KinsymError, match="a process ended before its task"):
+        sweep(three_links(5), jobs=2)
+
+
 def test_no_scheduler_and_no_dask(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("kinsym.workspace.runners._PATIENCE", "0.2s")
     with pytest.raises(KinsymError, match="no Dask scheduler answers at tcp://127"):
@@ -283,6 +327,8 @@ def test_a_slice_is_a_map() -> None:
         "base",
     ]
     assert ax.get_xlabel() == "x [m]"
+    (image,) = drawn(some()).images
+    assert (some().inside[..., 0] == ~np.ma.getmaskarray(image.get_array()).T).all()
 
 
 def test_a_volume_is_cut_open() -> None:

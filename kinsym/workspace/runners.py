@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, nullcontext
 from typing import TYPE_CHECKING, Any
 
 from kinsym.errors import KinsymError
@@ -22,6 +23,8 @@ Found = tuple[int, int, "Counts"]
 _MOST_WAITING = 4
 """Tasks that wait for each process, so that what is found comes back soon and none is idle."""
 _PATIENCE = "15s"
+
+_AGAIN = "What was found is kept: the same command goes on from there."
 
 _arms: dict[str, LiveArm] = {}
 _deriving = threading.Lock()
@@ -62,6 +65,7 @@ def _here(question: Question, parts: Sequence[Part]) -> Iterator[Found]:
 def _in_processes(question: Question, parts: Sequence[Part], jobs: int) -> Iterator[Found]:
     import multiprocessing
     from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
+    from concurrent.futures.process import BrokenProcessPool
 
     # A process that is forked would share locks with the threads of this one.
     context = multiprocessing.get_context("spawn")
@@ -70,18 +74,38 @@ def _in_processes(question: Question, parts: Sequence[Part], jobs: int) -> Itera
         running: set[Any] = set()
         try:
             while left or running:
-                while left and len(running) < jobs * _MOST_WAITING:
-                    running.add(pool.submit(task, question, *left.pop()))
+                with _deaf_to_interrupts() if not running else nullcontext():
+                    while left and len(running) < jobs * _MOST_WAITING:
+                        running.add(pool.submit(task, question, *left.pop()))
                 finished, running = wait(running, return_when=FIRST_COMPLETED)
                 for future in finished:
                     yield future.result()
+        except BrokenProcessPool as error:
+            raise KinsymError(f"a process ended before its task, for lack of memory perhaps. {_AGAIN}") from error
         finally:
             pool.shutdown(wait=True, cancel_futures=True)
 
 
-def _on_cluster(question: Question, parts: Sequence[Part], address: str) -> Iterator[Found]:
+@contextmanager
+def _deaf_to_interrupts() -> Iterator[None]:
+    """While processes start, so that they never hear of Ctrl-C, which is for this one alone."""
+    import signal
+
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
-        from distributed import Client, as_completed
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def _on_cluster(question: Question, parts: Sequence[Part], address: str) -> Iterator[Found]:
+    from concurrent.futures import CancelledError
+
+    try:
+        from distributed import Client, KilledWorker, as_completed
     except ImportError:
         raise KinsymError("a cluster needs Dask. Install it with: pip install 'kinsym[dask]'") from None
     try:
@@ -94,7 +118,13 @@ def _on_cluster(question: Question, parts: Sequence[Part], address: str) -> Iter
         shared = client.scatter(question, broadcast=True)
         futures = [client.submit(task, shared, *part, pure=False) for part in parts]
         try:
-            for _, found in as_completed(futures, with_results=True, loop=client.loop):
+            for future, found in as_completed(futures, with_results=True, loop=client.loop):
+                if future.status != "finished":
+                    raise CancelledError(f"a task is {future.status}")
                 yield found
+        except (CancelledError, KilledWorker, OSError) as error:
+            raise KinsymError(
+                f"the cluster at {address} gave up: {str(error) or type(error).__name__}. {_AGAIN}"
+            ) from error
         finally:
             client.cancel(futures)
