@@ -12,7 +12,7 @@ import sys
 from collections.abc import Sequence
 
 from kinsym import __version__
-from kinsym.command import check, derive, importing, lecture, robots, show
+from kinsym.command import check, derive, importing, latex, lecture, robots, show
 from kinsym.errors import KinsymError
 
 COMMANDS = {
@@ -22,6 +22,7 @@ COMMANDS = {
     "robots": robots,
     "check": check,
     "lecture": lecture,
+    "latex": latex,
 }
 INTERRUPTED = 130
 
@@ -38,6 +39,7 @@ examples:
   kinsym show ur5                           the equations only
   kinsym check out                          the checks again, on the files in ./out
   kinsym lecture                            every equation of the lecture, derived and compared
+  kinsym latex puma560 --method pieper      one method of the lecture as a LaTeX document
 
 exit status: 0 done and checked; 1 no closed form, or a check failed; 2 the input is wrong
 """

@@ -6,6 +6,7 @@ formulas are evaluated once more, from the chain's forward kinematics on.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from itertools import pairwise
 
@@ -51,7 +52,7 @@ def _define(draft: Draft, definition: Definition) -> None:
 
 
 def _state_step(draft: Draft, step: Step) -> None:
-    rule = TITLES.get(step.rule, step.rule)
+    rule = re.sub(r"a c \+ b s = [0e]", r"`\g<0>`", TITLES.get(step.rule, step.rule))
     draft.say(f"Step {step.number}, `{step.unknown}` by {rule}: {step.why}." if step.why else
               f"Step {step.number}, `{step.unknown}` by {rule}.")  # fmt: skip
     place = f"step{step.number}"
