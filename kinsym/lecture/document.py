@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from kinsym.lecture import told
 from kinsym.lecture.form import COUNTED, Likeness
 from kinsym.lecture.report import difference, mended_text, reason
 from kinsym.lecture.sections import sections
@@ -69,8 +70,8 @@ def _mistakes(verdicts: Sequence[Verdict]) -> Iterator[str]:
         if entry.mended is None:
             continue
         forms = (difference(entry.mended, entry.printed), mended_text(verdict))
-        cells = [form if entry.printed.claim else f"`{form}`" for form in forms]
-        row = (str(entry.slide), verdict.chapter.system, *cells, _plain(reason(verdict)))
+        cells = [told.markdown(form) if entry.printed.claim else f"`{form}`" for form in forms]
+        row = (str(entry.slide), verdict.chapter.system, *cells, told.markdown(reason(verdict)))
         yield f"| {' | '.join(row)} |"
 
 
@@ -81,7 +82,7 @@ def _conditions(verdicts: Sequence[Verdict]) -> Iterator[str]:
         condition = verdict.entry.printed.options.get("unstated")
         if condition:
             entry = verdict.entry
-            yield f"| {entry.slide} | {verdict.chapter.system} | `{entry.id}` | {_plain(condition)} |"
+            yield f"| {entry.slide} | {verdict.chapter.system} | `{entry.id}` | {told.markdown(condition)} |"
 
 
 def _other_forms(verdicts: Sequence[Verdict]) -> Iterator[str]:
@@ -89,9 +90,4 @@ def _other_forms(verdicts: Sequence[Verdict]) -> Iterator[str]:
     yield "|--:|---|---|---|"
     for verdict in sorted((v for v in verdicts if v.likeness is Likeness.OTHER), key=lambda v: v.entry.slide):
         entry = verdict.entry
-        yield f"| {entry.slide} | {verdict.chapter.system} | `{entry.id}` | {_plain(entry.instead)} |"
-
-
-def _plain(text: str) -> str:
-    """A sentence whose signs mean nothing in Markdown."""
-    return text.replace("|", "\\|").replace("*", "\\*").replace("_", "\\_")
+        yield f"| {entry.slide} | {verdict.chapter.system} | `{entry.id}` | {told.markdown(entry.instead)} |"

@@ -11,11 +11,15 @@ from pathlib import Path
 
 @dataclass(frozen=True, kw_only=True)
 class Section:
-    """A section: its slides, first and last, and names of kinsym's objects or commands."""
+    """A section: its slides, first and last, names of kinsym's objects or commands, and what kinsym derives there.
+
+    Each of ``derivations`` is a robot and a method.
+    """
 
     title: str
     slides: tuple[int, int]
     kinsym: tuple[str, ...]
+    derivations: tuple[tuple[str, str], ...]
 
     def holds(self, slide: int) -> bool:
         """Whether a slide belongs to the section."""
@@ -38,6 +42,16 @@ def sections() -> tuple[Section, ...]:
     """All sections that state something, in the lecture's order."""
     path = Path(str(resources.files("kinsym.lecture"))) / "sections.toml"
     return tuple(
-        Section(title=raw["title"], slides=(raw["slides"][0], raw["slides"][1]), kinsym=tuple(raw["kinsym"]))
+        Section(
+            title=raw["title"],
+            slides=(raw["slides"][0], raw["slides"][1]),
+            kinsym=tuple(raw["kinsym"]),
+            derivations=tuple(_derivation(text) for text in raw.get("derivations", ())),
+        )
         for raw in tomllib.loads(path.read_text("utf-8"))["section"]
     )
+
+
+def _derivation(text: str) -> tuple[str, str]:
+    robot, _, method = text.partition(" ")
+    return robot, method

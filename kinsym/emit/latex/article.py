@@ -13,7 +13,7 @@ from kinsym.emit.environment import Delimiters, environment
 
 _DELIMITERS = Delimiters(block=("<%", "%>"), variable=("<<", ">>"), comment=("<#", "#>"))
 
-Frame = Literal["article", "fragment"]
+Frame = Literal["article", "fragment", "chapter"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,6 +27,7 @@ class Levels:
 LEVELS: dict[Frame, Levels] = {
     "article": Levels(section="section", step="subsection*"),
     "fragment": Levels(section="subsection", step="subsubsection*"),
+    "chapter": Levels(section="section", step="subsection*"),
 }
 """A fragment is a section of the document it is put into, so that its own sections stand one level lower."""
 

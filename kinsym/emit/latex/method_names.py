@@ -9,6 +9,7 @@ from typing import ClassVar
 from kinsym.emit.latex.formula import LatexPrinter, relation_sign
 from kinsym.emit.latex.names import Names, pose
 
+_ELEMENTARY = re.compile(r"([RD])_([XZ])_of_(\w+)")
 _FRAME = re.compile(r"([TRAP])_(\d+|[A-Z])_(\d+|[A-Z]\d*)")
 _NEIGHBOURS = re.compile(r"([TA])_(im1|i)_(i|ip1)")
 _SUBSCRIPT = re.compile(r"([A-Za-z]+)_(i|im1|ip1)")
@@ -40,6 +41,8 @@ class MethodNames(Names):
 
     def _of_a_method(self, name: str) -> str:
         """A name that only methods have; empty for any other."""
+        if match := _ELEMENTARY.fullmatch(name):
+            return f"{match[1]}_{{{match[2]}}}({self[match[3]]})"
         if match := _FRAME.fullmatch(name):
             letter, left, right = match.groups()
             if letter == "T" and left.isdigit() and right.isdigit():
@@ -72,7 +75,7 @@ class MethodNames(Names):
                 parts.append(self[token["name"]] + " ")
             else:
                 parts.append(relation_sign(token["sign"]) + " " if token["sign"] else token["other"])
-        return re.sub(r" (?=[),]|$)", "", re.sub(r" {2,}", " ", "".join(parts)))
+        return re.sub(r" (?=[),^]|$)", "", re.sub(r" {2,}", " ", "".join(parts)))
 
 
 def is_of_a_method(name: str) -> bool:

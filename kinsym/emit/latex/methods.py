@@ -8,23 +8,36 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import groupby
+from functools import partial
+from itertools import groupby, takewhile
 from types import MappingProxyType
+from typing import TypeGuard
 
 from kinsym.algebra.tree import Num, Sym, Tree, symbols
 from kinsym.emit.latex.formula import relation_sign
-from kinsym.emit.latex.layout import PAGE, Relation, aligned
-from kinsym.emit.latex.layout import Matrix as Laid
+from kinsym.emit.latex.layout import PAGE, RELATION, Relation, aligned, bracketed_width
 from kinsym.emit.latex.measure import width
 from kinsym.emit.latex.method_names import MethodNames, MethodPrinter, is_of_a_method
 from kinsym.emit.latex.sentences import escape
 from kinsym.emit.prose.methods import pieces
-from kinsym.methods.document import INVERSE, TRANSPOSE, Equation, Factor, Matrix, MethodDerivation, Product, Sentence
+from kinsym.methods.document import (
+    INVERSE,
+    TRANSPOSE,
+    Equation,
+    Factor,
+    Matrix,
+    MethodDerivation,
+    Passage,
+    Product,
+    Sentence,
+)
 
 _SUPERSCRIPT = {"": "", INVERSE: "^{-1}", TRANSPOSE: "^{T}"}
 #: What a line of matrices leaves for its number, and what stands between two of them.
 _TAG, _BETWEEN = 34.0, 20.0
 _MOST_BESIDE = 4
+#: As many names for entries of a matrix as this list all of it.
+_MANY_ENTRIES = 9
 _NOTHING: Mapping[str, str] = MappingProxyType({})
 
 
@@ -41,7 +54,7 @@ class MethodPage:
     """What a derivation by a method says, in LaTeX.
 
     ``lecture`` has the lecture's own number of some equations, which is then printed beside ours; ``remarks`` what is
-    to be said behind some of them.
+    to be said behind some of them; ``elsewhere`` labels of equations that this derivation refers to and does not hold.
     """
 
     def __init__(
@@ -50,12 +63,14 @@ class MethodPage:
         *,
         lecture: Mapping[str, str] = _NOTHING,
         remarks: Mapping[str, str] = _NOTHING,
+        elsewhere: Mapping[str, str] = _NOTHING,
     ) -> None:
         self.derivation = derivation
         used = (name for equation in derivation.equations for tree in _trees(equation) for name in symbols(tree))
         self.names = MethodNames(name for name in used if not is_of_a_method(name))
         self.formula = MethodPrinter(self.names)
-        self._lecture, self._remarks = lecture, remarks
+        self._lecture, self._remarks, self._elsewhere = lecture, remarks, elsewhere
+        self._first: dict[str, str] = {}
         self._conditions = {equation.name for equation in derivation.conditions}
         self._named = {
             equation.right: equation.left for equation in reversed(derivation.equations) if _names_an_entry(equation)
@@ -67,8 +82,9 @@ class MethodPage:
         self._alone = referred | {*lecture} | {*remarks}
 
     def label(self, name: str) -> str:
-        """The label of an equation."""
-        return f"{self.derivation.robot}:{self.derivation.method}:{name}"
+        """The label of an equation; in a line of matrices, once it is laid out, that of the first of them."""
+        name = self._first.get(name, name)
+        return self._elsewhere.get(name) or f"{self.derivation.robot}:{self.derivation.method}:{name}"
 
     def lines(self) -> list[str]:
         """The passages in order, without a heading."""
@@ -86,13 +102,30 @@ class MethodPage:
     def _cut(self) -> Iterator[tuple[tuple[str, int], Sentence | Equation]]:
         """Every passage with its kind and a number that changes behind each remark."""
         number = 0
-        for passage in self.derivation.passages:
+        for passage in self._passages():
             if isinstance(passage, Sentence):
                 number += 1
                 yield ("sentence", number), passage
                 continue
             yield ("matrix" if _has_matrix(passage) else "formula", number), passage
             number += passage.name in self._remarks
+
+    def _passages(self) -> Iterator[Passage]:
+        """The passages without entries, one by one, of a matrix that has just been printed whole."""
+        passages = self.derivation.passages
+        at = 0
+        while at < len(passages):
+            passage = passages[at]
+            yield passage
+            at += 1
+            if isinstance(passage, Equation) and isinstance(passage.right, Matrix):
+                entries = list(takewhile(partial(_is_entry, passage.right), passages[at + 1 :]))
+                if len(entries) >= _MANY_ENTRIES and self._fits(passage) and not self._alone & {e.name for e in entries}:
+                    self._first |= {entry.name: passage.name for entry in entries}
+                    at += 1 + len(entries)
+
+    def _fits(self, equation: Equation) -> bool:
+        return self._written(equation).width <= PAGE - _TAG
 
     def sentence(self, sentence: Sentence) -> str:
         """A sentence with its formulas and references."""
@@ -148,12 +181,13 @@ class MethodPage:
             yield self._beside(line)
 
     def _beside(self, line: Sequence[_Laid]) -> str:
+        self._first |= {laid.equation.name: line[0].equation.name for laid in line}
         text = " \\qquad\n  ".join(laid.text for laid in line)
         return f"\\begin{{equation}}\n  {text}{self._numbered(line[0].equation.name)}\n\\end{{equation}}"
 
     def _laid(self, equation: Equation) -> _Laid:
         laid = self._written(equation)
-        if laid.width <= PAGE - _TAG or not isinstance(equation.right, Matrix):
+        if self._fits(equation) or not isinstance(equation.right, Matrix):
             return laid
         named = Matrix(tuple(tuple(self._entry(cell) for cell in row) for row in equation.right.rows))
         complete = all(isinstance(cell, (Sym, Num)) for row in named.rows for cell in row)
@@ -169,7 +203,7 @@ class MethodPage:
 
     def _written(self, equation: Equation) -> _Laid:
         left, right = self._side(equation.left), self._side(equation.right)
-        wide = 14.0 + sum(self._width(side) for side in (equation.left, equation.right))
+        wide = RELATION + sum(self._width(side) for side in (equation.left, equation.right))
         return _Laid(equation, f"{left} {relation_sign(equation.sign)} {right}", wide)
 
     def _side(self, side: Tree | Matrix | Product) -> str:
@@ -194,9 +228,7 @@ class MethodPage:
     def _width(self, side: Tree | Matrix | Product) -> float:
         if isinstance(side, Product):
             return sum(self._width(f) if isinstance(f, Matrix) else 2 + width(self._factor(f)) for f in side.factors)
-        return Laid(name="", cells=self._cells(side)).width - 14.0 if isinstance(side, Matrix) else width(
-            self.formula(side)
-        )
+        return bracketed_width(self._cells(side)) if isinstance(side, Matrix) else width(self.formula(side))
 
     def _entries(self, equation: Equation, right: Matrix) -> str:
         """A matrix that is too wide, entry by entry; rows and entries that are numbers are left out."""
@@ -228,6 +260,11 @@ def _trees(equation: Equation) -> Iterator[Tree]:
 def _names_an_entry(equation: Equation) -> bool:
     """Whether an equation is ``name = formula``."""
     return equation.sign == "=" and isinstance(equation.left, Sym) and not isinstance(equation.right, (Matrix, Product))
+
+
+def _is_entry(matrix: Matrix, passage: Passage) -> TypeGuard[Equation]:
+    """Whether a passage gives a name to an entry of a matrix."""
+    return isinstance(passage, Equation) and _names_an_entry(passage) and any(passage.right in row for row in matrix.rows)
 
 
 def _has_matrix(equation: Equation) -> bool:

@@ -1,0 +1,102 @@
+"""``kinsym latex --lecture``: the chapter, section by section."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+
+from kinsym.emit.latex.article import framed, rendered
+from kinsym.emit.latex.sentences import escape
+from kinsym.errors import DoesNotApply
+from kinsym.lecture.latex.section_page import Chapter
+from kinsym.lecture.latex.shown import Shown, derived, shown
+from kinsym.lecture.report import left_open
+from kinsym.lecture.sections import Section, sections
+from kinsym.lecture.verdict import Truth, Verdict, verdicts
+
+TITLE = "Kinematic Analysis"
+_INVERSE = ("geometric", "zyz", "decoupled", "pieper", "algebraic")
+"""Methods that solve for all joints, tried in this order for an arm that the lecture does not solve."""
+
+
+@lru_cache(maxsize=1)
+def chapter_document() -> str:
+    """The lecture as a LaTeX article: contents, every section with its derivations, and the lecture's mistakes.
+
+    The same bytes every time.
+    """
+    found = tuple(verdicts())
+    chapter = Chapter()
+    parts = [_section(section, chapter, found) for section in sections()]
+    parts.append(_unsolved(chapter))
+    body = rendered(
+        "lecture",
+        {
+            "sections": parts,
+            "entries": len(found),
+            "systems": len({v.chapter.robot for v in found if v.chapter.robot}),
+            "errata": chapter.remarks.errata,
+            "hold": sum(v.truth is Truth.TRUE for v in found),
+        },
+    )
+    return framed("chapter", body, title=TITLE, about="The lecture, derived by kinsym.", referring=True)
+
+
+def _section(section: Section, chapter: Chapter, found: Sequence[Verdict]) -> str:
+    """A section: its derivations with the lecture's numbers, then what else its slides hold."""
+    rest = [verdict for verdict in found if section.holds(verdict.entry.slide)]
+    derivations = shown(section)
+    parts = [_heading(section)]
+    parts += [chapter.remarks.printer.told(text) for text in dict.fromkeys(left_open(v.chapter) for v in rest) if text]
+    for one in derivations:
+        text, placed = chapter.derivation(one, rest, heading=_title(one, derivations))
+        parts.append(text)
+        rest = [verdict for verdict in rest if verdict not in placed]
+    parts.append(chapter.rest(rest))
+    return "\n\n".join(filter(None, parts))
+
+
+def _heading(section: Section) -> str:
+    first, last = section.slides
+    slides = f"Slide {first}" if first == last else f"Slides {first} to {last}"
+    title = escape(section.title).replace("Denavit-Hartenberg", "Denavit--Hartenberg")
+    return f"\\section{{{title}}}\n\n\\textit{{{slides}}}"
+
+
+def _title(one: Shown, others: Sequence[Shown]) -> str:
+    """A heading that tells the derivations of a section apart; empty where there is only one."""
+    if len(others) == 1:
+        return ""
+    method = escape(one.derivation.title)
+    return method if one.robot is None or _same_arm(others) else f"{method}: {escape(one.robot.title)}"
+
+
+def _same_arm(derivations: Sequence[Shown]) -> bool:
+    return len({one.derivation.robot for one in derivations}) == 1
+
+
+def _unsolved(chapter: Chapter) -> str:
+    """The inverse kinematics of the arms for which the lecture stops at the forward one."""
+    solved = {one.shown.derivation.robot for one in chapter.printed if _is_solved(one.shown)}
+    arms = dict.fromkeys(one.shown.robot.name for one in chapter.printed if one.shown.robot is not None)
+    derivations = [_inverse(arm) for arm in arms if arm not in solved]
+    parts = ["\\section{The inverse kinematics of the other arms}\n\nThe lecture leaves these to its reader."]
+    parts += [chapter.derivation(one, (), heading=_title(one, derivations))[0] for one in derivations]
+    return "\n\n".join(parts)
+
+
+def _is_solved(one: Shown) -> bool:
+    found = {solution.unknown for solution in one.derivation.solutions}
+    return one.robot is not None and found >= {*one.robot.variables}
+
+
+def _inverse(robot: str) -> Shown:
+    """An arm by the first of the methods that solve for all of its joints."""
+    for method in _INVERSE:
+        try:
+            one = derived(robot, method)
+        except DoesNotApply:
+            continue
+        if _is_solved(one):
+            return one
+    raise DoesNotApply(f"no method solves for all joints of {robot}.")
