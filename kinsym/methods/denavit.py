@@ -17,8 +17,8 @@ from kinsym.robot.model import Convention, Robot
 CRAIG, PAUL = "craig", "paul"
 CRAIG_TITLE, PAUL_TITLE = "Craig's link transforms", "Paul's link transforms"
 _ORDER = {
-    Convention.CRAIG: "a turn by `alpha` and a slide by `a` along `x` of frame `i-1`, then a turn by `theta` and a slide "
-    "by `d` along `z` of frame `i`",
+    Convention.CRAIG: "a turn by `alpha` and a slide by `a` along `x` of frame `i-1`, then a turn by `theta` and a "
+    "slide by `d` along `z` of frame `i`",
     Convention.PAUL: "a slide by `d` and a turn by `theta` about `z` of frame `i-1`, then a slide by `a` and a turn "
     "by `alpha` about `x` of frame `i`",
 }

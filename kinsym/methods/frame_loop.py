@@ -27,8 +27,8 @@ def frames(robot: Robot) -> MethodDerivation:
     bottom = (*(draft.tree(draft.ring.zero) for _ in range(3)), draft.tree(draft.ring.one))
     wrist = pose if plain else Matrix((*columns, bottom))
     draft.say(
-        "The wrist `W` in the base `B` is the forward kinematics. A station `S` is given in the base, a tool `T` in the wrist: "
-        "both ways from the base to the tool are one"
+        "The wrist `W` in the base `B` is the forward kinematics. A station `S` is given in the base, a tool `T` in "
+        "the wrist: both ways from the base to the tool are one"
     )
     draft.name_matrix("T_B_W", wrist)
     _give_poses(draft)

@@ -34,9 +34,13 @@ def general_link(convention: Convention) -> MethodDerivation:
     chain = build_chain(robot)
     draft = Draft(chain, method=NAME, title=TITLES[convention])
     written = _cosines_and_sines(draft, cells)
-    draft.say(f"Row `i` of a table has the cells {', '.join(f'`{cell}`' for cell in cells.values())}. Its four steps are")
+    draft.say(
+        f"Row `i` of a table has the cells {', '.join(f'`{cell}`' for cell in cells.values())}. Its four steps are"
+    )
     factors = Product(tuple(_state_step(draft, transform, cells[name]) for transform, name in FACTORS[convention]))
-    draft.say("each about or along an axis as the steps before have moved it, so that they are multiplied on the right:")
+    draft.say(
+        "each about or along an axis as the steps before have moved it, so that they are multiplied on the right:"
+    )
     draft.name_matrix(LINK, factors)
     draft.state(f"{LINK}.factors", Product((Factor(LINK),)), factors)
     link = link_transform(chain, joint, 1)

@@ -1,6 +1,6 @@
 r"""The solutions of a derivation as a tree of braces: one unknown after the other, a brace where it has several values.
 
-    theta1 (+ ... / - ...) is set as \theta_1 \begin{cases} + \;\; \theta_3 \cdots \\ - \;\; \theta_3 \cdots \end{cases}
+theta1 (+ ... / - ...) is set as \theta_1 \begin{cases} + \;\; \theta_3 \cdots \\ - \;\; \theta_3 \cdots \end{cases}
 """
 
 from __future__ import annotations

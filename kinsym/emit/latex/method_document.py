@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from kinsym.algebra.tree import PlusMinus, Tree, children
 from kinsym.emit.latex.article import LEVELS, Frame, framed, rendered
 from kinsym.emit.latex.branch_tree import Fork, branch_tree
 from kinsym.emit.latex.methods import MethodPage
 from kinsym.emit.latex.sentences import escape
 from kinsym.emit.latex.tables import convention_of, table_of
-from kinsym.methods.document import Matrix, MethodDerivation, Product, Side, Solution
+from kinsym.methods.document import MethodDerivation, Solution
 from kinsym.robot.model import Robot
+
+_SEVERAL = 2
 
 
 def method_document(robot: Robot, derivation: MethodDerivation, frame: Frame = "article") -> str:
@@ -36,9 +37,9 @@ def method_document(robot: Robot, derivation: MethodDerivation, frame: Frame = "
 
 
 def solutions_section(page: MethodPage) -> str:
-    """The unknowns with their equations, and the tree of their values; empty where nothing is solved for."""
+    """The unknowns with their equations, and the tree of their values; empty where that is less than two unknowns."""
     solutions = page.derivation.solutions
-    if not solutions:
+    if len(solutions) < _SEVERAL:
         return ""
     rows = []
     for solution in solutions:
@@ -50,17 +51,11 @@ def solutions_section(page: MethodPage) -> str:
 
 
 def _marks(page: MethodPage, solution: Solution) -> tuple[str, ...]:
-    """How the values of an unknown are told apart: the signs of ±, the equations, or the numbers of roots."""
+    """How the values of an unknown are told apart: by equations, by the signs of ±, by the numbers of roots."""
     if solution.branches == 1:
         return ("",)
     if len(solution.equations) == solution.branches:
         return tuple(f"\\text{{\\eqref{{{page.label(equation.name)}}}}}" for equation in solution.equations)
-    if solution.branches == 2 and any(_has_sign(equation.right) for equation in solution.equations):
+    if solution.branches == 2:
         return ("+", "-")
     return tuple(str(number) for number in range(1, solution.branches + 1))
-
-
-def _has_sign(side: Side | Tree) -> bool:
-    if isinstance(side, (Matrix, Product)):
-        return False
-    return isinstance(side, PlusMinus) or any(map(_has_sign, children(side)))

@@ -6,19 +6,19 @@ share a line and its number, which has the label of the first of them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import groupby, takewhile
 from types import MappingProxyType
-from typing import TypeGuard
+from typing import Literal
 
 from kinsym.algebra.tree import Num, Sym, Tree, symbols
 from kinsym.emit.latex.formula import relation_sign
 from kinsym.emit.latex.layout import PAGE, RELATION, Relation, aligned, bracketed_width
 from kinsym.emit.latex.measure import width
 from kinsym.emit.latex.method_names import MethodNames, MethodPrinter, is_of_a_method
-from kinsym.emit.latex.sentences import escape
+from kinsym.emit.latex.sentences import escape, wrapped
 from kinsym.emit.prose.methods import pieces
 from kinsym.methods.document import (
     INVERSE,
@@ -41,6 +41,10 @@ _MANY_ENTRIES = 9
 _NOTHING: Mapping[str, str] = MappingProxyType({})
 
 
+#: What is to be said of an equation, given its label.
+Remark = Callable[[str], str]
+
+
 @dataclass(frozen=True)
 class _Laid:
     """An equation with matrices: its text and how wide that is."""
@@ -54,7 +58,8 @@ class MethodPage:
     """What a derivation by a method says, in LaTeX.
 
     ``lecture`` has the lecture's own number of some equations, which is then printed beside ours; ``remarks`` what is
-    to be said behind some of them; ``elsewhere`` labels of equations that this derivation refers to and does not hold.
+    to be said of some of them, before the next sentence; ``elsewhere`` labels of equations that this derivation refers
+    to and does not hold.
     """
 
     def __init__(
@@ -62,7 +67,7 @@ class MethodPage:
         derivation: MethodDerivation,
         *,
         lecture: Mapping[str, str] = _NOTHING,
-        remarks: Mapping[str, str] = _NOTHING,
+        remarks: Mapping[str, Remark] = MappingProxyType({}),
         elsewhere: Mapping[str, str] = _NOTHING,
     ) -> None:
         self.derivation = derivation
@@ -79,7 +84,7 @@ class MethodPage:
         referred = {name for sentence in sentences for name in sentence.references}
         for solution in derivation.solutions:
             referred |= {equation.name for equation in (*solution.equations, *solution.conditions)}
-        self._alone = referred | {*lecture} | {*remarks}
+        self._alone = referred | {*lecture}
 
     def label(self, name: str) -> str:
         """The label of an equation; in a line of matrices, once it is laid out, that of the first of them."""
@@ -89,26 +94,21 @@ class MethodPage:
     def lines(self) -> list[str]:
         """The passages in order, without a heading."""
         parts: list[str] = []
-        for kind, passages in groupby(self._cut(), key=lambda item: item[0]):
-            found = [passage for _, passage in passages]
-            for passage in found:
-                if isinstance(passage, Sentence):
-                    parts.append(self.sentence(passage))
+        remarks: list[str] = []
+        for kind, passages in groupby(self._passages(), key=_kind):
+            found = list(passages)
             equations = [passage for passage in found if isinstance(passage, Equation)]
-            parts += self._matrices(equations) if kind[0] == "matrix" else self._aligned(equations)
-            parts += [self._remarks[equation.name] for equation in equations if equation.name in self._remarks]
-        return parts
-
-    def _cut(self) -> Iterator[tuple[tuple[str, int], Sentence | Equation]]:
-        """Every passage with its kind and a number that changes behind each remark."""
-        number = 0
-        for passage in self._passages():
-            if isinstance(passage, Sentence):
-                number += 1
-                yield ("sentence", number), passage
-                continue
-            yield ("matrix" if _has_matrix(passage) else "formula", number), passage
-            number += passage.name in self._remarks
+            if kind == "sentence":
+                parts += remarks
+                remarks = []
+                parts += [self.sentence(passage) for passage in found if isinstance(passage, Sentence)]
+            parts += self._matrices(equations) if kind == "matrix" else self._aligned(equations)
+            remarks += [
+                self._remarks[equation.name](self.label(equation.name))
+                for equation in equations
+                if equation.name in self._remarks
+            ]
+        return parts + remarks
 
     def _passages(self) -> Iterator[Passage]:
         """The passages without entries, one by one, of a matrix that has just been printed whole."""
@@ -120,15 +120,16 @@ class MethodPage:
             at += 1
             if isinstance(passage, Equation) and isinstance(passage.right, Matrix):
                 entries = list(takewhile(partial(_is_entry, passage.right), passages[at + 1 :]))
-                if len(entries) >= _MANY_ENTRIES and self._fits(passage) and not self._alone & {e.name for e in entries}:
-                    self._first |= {entry.name: passage.name for entry in entries}
+                names = {entry.name for entry in entries if isinstance(entry, Equation)}
+                if len(names) >= _MANY_ENTRIES and self._fits(passage) and not self._alone & names:
+                    self._first |= dict.fromkeys(names, passage.name)
                     at += 1 + len(entries)
 
     def _fits(self, equation: Equation) -> bool:
         return self._written(equation).width <= PAGE - _TAG
 
     def sentence(self, sentence: Sentence) -> str:
-        """A sentence with its formulas and references."""
+        """A sentence with its formulas and references, in lines of the source."""
         text = ""
         for piece in pieces(sentence.text):
             if piece.kind == "reference":
@@ -138,7 +139,7 @@ class MethodPage:
             else:
                 lead, tail = piece.text[:1].isspace(), piece.text[-1:].isspace()
                 text += (" " if lead else "") + escape(piece.text) + (" " if tail and piece.text.strip() else "")
-        return text
+        return wrapped(text)
 
     def _numbered(self, name: str) -> str:
         """The end of an equation: the lecture's number and the label."""
@@ -262,9 +263,17 @@ def _names_an_entry(equation: Equation) -> bool:
     return equation.sign == "=" and isinstance(equation.left, Sym) and not isinstance(equation.right, (Matrix, Product))
 
 
-def _is_entry(matrix: Matrix, passage: Passage) -> TypeGuard[Equation]:
+def _kind(passage: Passage) -> Literal["sentence", "matrix", "formula"]:
+    if isinstance(passage, Sentence):
+        return "sentence"
+    return "matrix" if _has_matrix(passage) else "formula"
+
+
+def _is_entry(matrix: Matrix, passage: Passage) -> bool:
     """Whether a passage gives a name to an entry of a matrix."""
-    return isinstance(passage, Equation) and _names_an_entry(passage) and any(passage.right in row for row in matrix.rows)
+    return (
+        isinstance(passage, Equation) and _names_an_entry(passage) and any(passage.right in row for row in matrix.rows)
+    )
 
 
 def _has_matrix(equation: Equation) -> bool:

@@ -7,16 +7,13 @@ from functools import lru_cache
 
 from kinsym.emit.latex.article import framed, rendered
 from kinsym.emit.latex.sentences import escape
-from kinsym.errors import DoesNotApply
 from kinsym.lecture.latex.section_page import Chapter
-from kinsym.lecture.latex.shown import Shown, derived, shown
+from kinsym.lecture.latex.shown import Shown, shown
 from kinsym.lecture.report import left_open
-from kinsym.lecture.sections import Section, sections
+from kinsym.lecture.sections import Further, Section, further, sections
 from kinsym.lecture.verdict import Truth, Verdict, verdicts
 
 TITLE = "Kinematic Analysis"
-_INVERSE = ("geometric", "zyz", "decoupled", "pieper", "algebraic")
-"""Methods that solve for all joints, tried in this order for an arm that the lecture does not solve."""
 
 
 @lru_cache(maxsize=1)
@@ -28,7 +25,7 @@ def chapter_document() -> str:
     found = tuple(verdicts())
     chapter = Chapter()
     parts = [_section(section, chapter, found) for section in sections()]
-    parts.append(_unsolved(chapter))
+    parts += [_further(one, chapter) for one in further()]
     body = rendered(
         "lecture",
         {
@@ -45,20 +42,21 @@ def chapter_document() -> str:
 def _section(section: Section, chapter: Chapter, found: Sequence[Verdict]) -> str:
     """A section: its derivations with the lecture's numbers, then what else its slides hold."""
     rest = [verdict for verdict in found if section.holds(verdict.entry.slide)]
-    derivations = shown(section)
+    derivations = shown(section.derivations)
     parts = [_heading(section)]
     parts += [chapter.remarks.printer.told(text) for text in dict.fromkeys(left_open(v.chapter) for v in rest) if text]
     for one in derivations:
         text, placed = chapter.derivation(one, rest, heading=_title(one, derivations))
         parts.append(text)
         rest = [verdict for verdict in rest if verdict not in placed]
-    parts.append(chapter.rest(rest))
+    parts.append(chapter.rest(rest, heading="Also on these slides" if derivations else ""))
     return "\n\n".join(filter(None, parts))
 
 
 def _heading(section: Section) -> str:
     first, last = section.slides
-    slides = f"Slide {first}" if first == last else f"Slides {first} to {last}"
+    between = "and" if last == first + 1 else "to"
+    slides = f"Slide {first}" if first == last else f"Slides {first} {between} {last}"
     title = escape(section.title).replace("Denavit-Hartenberg", "Denavit--Hartenberg")
     return f"\\section{{{title}}}\n\n\\textit{{{slides}}}"
 
@@ -75,28 +73,10 @@ def _same_arm(derivations: Sequence[Shown]) -> bool:
     return len({one.derivation.robot for one in derivations}) == 1
 
 
-def _unsolved(chapter: Chapter) -> str:
-    """The inverse kinematics of the arms for which the lecture stops at the forward one."""
-    solved = {one.shown.derivation.robot for one in chapter.printed if _is_solved(one.shown)}
-    arms = dict.fromkeys(one.shown.robot.name for one in chapter.printed if one.shown.robot is not None)
-    derivations = [_inverse(arm) for arm in arms if arm not in solved]
-    parts = ["\\section{The inverse kinematics of the other arms}\n\nThe lecture leaves these to its reader."]
-    parts += [chapter.derivation(one, (), heading=_title(one, derivations))[0] for one in derivations]
+def _further(one: Further, chapter: Chapter) -> str:
+    """A section beyond the lecture."""
+    parts = [
+        f"\\section{{{escape(one.title)}}}\n\nThe lecture leaves the inverse kinematics of this arm to its reader."
+    ]
+    parts += [chapter.derivation(item, (), heading="")[0] for item in shown(one.derivations)]
     return "\n\n".join(parts)
-
-
-def _is_solved(one: Shown) -> bool:
-    found = {solution.unknown for solution in one.derivation.solutions}
-    return one.robot is not None and found >= {*one.robot.variables}
-
-
-def _inverse(robot: str) -> Shown:
-    """An arm by the first of the methods that solve for all of its joints."""
-    for method in _INVERSE:
-        try:
-            one = derived(robot, method)
-        except DoesNotApply:
-            continue
-        if _is_solved(one):
-            return one
-    raise DoesNotApply(f"no method solves for all joints of {robot}.")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 from kinsym.emit.latex.article import rendered
 from kinsym.emit.latex.layout import Relation, aligned
@@ -45,17 +46,17 @@ class Chapter:
         places = {verdict.entry.id: place_of(verdict, one, equations) for verdict in verdicts}
         placed = [verdict for verdict in verdicts if places[verdict.entry.id]]
         numbers: dict[str, dict[str, None]] = {}
-        remarks: dict[str, list[str]] = {}
+        remarks: dict[str, list[Verdict]] = {}
         for verdict in placed:
             name = places[verdict.entry.id]
             if verdict.entry.number:
                 numbers.setdefault(name, {})[verdict.entry.number] = None
-            if remark := self.remarks.on(verdict):
-                remarks.setdefault(name, []).append(remark)
+            if self.remarks.calls_for_one(verdict):
+                remarks.setdefault(name, []).append(verdict)
         page = MethodPage(
             one.derivation,
             lecture={name: ", ".join(found) for name, found in numbers.items()},
-            remarks={name: "\n".join(found) for name, found in remarks.items()},
+            remarks={name: partial(self._remarks_on, found) for name, found in remarks.items()},
             elsewhere=dict(one.elsewhere),
         )
         parts = [f"\\subsection*{{{heading}}}"] if heading else []
@@ -64,6 +65,9 @@ class Chapter:
         if solutions := solutions_section(page):
             parts.append(solutions)
         return "\n".join(parts), placed
+
+    def _remarks_on(self, verdicts: Sequence[Verdict], label: str) -> str:
+        return "\n".join(self.remarks.on(verdict, label) for verdict in verdicts)
 
     def _table(self, robot: Robot | None, page: MethodPage) -> Iterator[str]:
         """The table of an arm where it is new, otherwise a reference to it."""
@@ -78,18 +82,17 @@ class Chapter:
         caption = f"{title}. {convention_of(robot)}"
         yield rendered("captioned", {"table": table_of(robot, page.formula), "caption": caption, "label": label})
 
-    def rest(self, verdicts: Sequence[Verdict]) -> str:
+    def rest(self, verdicts: Sequence[Verdict], *, heading: str) -> str:
         """The entries of a section that its derivations do not state in the lecture's form."""
         again: list[str] = []
         told: list[str] = []
         short: list[str] = []
-        long: list[str] = []
+        long: dict[str, list[str]] = {}
         remarks: list[str] = []
         for verdict in verdicts:
             entry = verdict.entry
-            remark = self.remarks.on(verdict)
-            if remark:
-                remarks.append(remark)
+            if self.remarks.calls_for_one(verdict):
+                remarks.append(self.remarks.on(verdict))
             if verdict.truth is Truth.ERRATUM or not (entry.printed.members or entry.printed.claim):
                 continue
             if place := self._before(verdict):
@@ -99,11 +102,14 @@ class Chapter:
             else:
                 self._formula(verdict, short, long)
         again, told, short = (list(dict.fromkeys(texts)) for texts in (again, told, short))
-        context = {"again": again, "told": told, "short": short, "long": long, "remarks": remarks}
-        return rendered("slides", context) if any(context.values()) else ""
+        found = {"again": again, "told": told, "short": short, "long": long, "remarks": remarks}
+        return rendered("slides", found | {"heading": heading}) if any(found.values()) else ""
 
-    def _formula(self, verdict: Verdict, short: list[str], long: list[str]) -> None:
-        """An equation in its own form: among others in a line if it is short, else set apart with its number."""
+    def _formula(self, verdict: Verdict, short: list[str], long: dict[str, list[str]]) -> None:
+        """An equation in its own form: among others in a line if it is short, else set apart with its number.
+
+        Those that are set apart stand under the sentence that says why kinsym has another form.
+        """
         printer = self.remarks.printer
         first, *others = map(printer, verdict.entry.printed.members)
         right = " = ".join(others)
@@ -113,13 +119,15 @@ class Chapter:
             short.append(f"${first} = {right}$")
             return
         if "bmatrix" in right:
-            lines = [f"{first} &= {line}" if not k else f"& \\quad {{}} {line}" for k, line in enumerate(self._products(verdict))]
+            lines = [
+                f"{first} &= {line}" if not k else f"& \\quad {{}} {line}"
+                for k, line in enumerate(self._products(verdict))
+            ]
         else:
             lines = [line for block in aligned([Relation(left=first, right=right)]) for row in block for line in row]
         mark = f" \\lecture{{{number}}}" if number else ""
         shown = " \\notag \\\\\n".join(f"  {line}" for line in lines)
-        text = f"\\begin{{align}}\n{shown}{mark}\n\\end{{align}}"
-        long.append(f"{text}\n{_sentence(why)}." if why else text)
+        long.setdefault(why and f"{_sentence(why)}.", []).append(f"{shown}{mark}")
 
     def _products(self, verdict: Verdict) -> Iterator[str]:
         """The right sides of an equation of matrices, in lines as long as fit; a product may break between factors."""

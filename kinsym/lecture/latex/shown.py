@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from kinsym.lecture.case import find
 from kinsym.lecture.printed import chain_names
-from kinsym.lecture.sections import Section
 from kinsym.lecture.shape import NameOf, name
 from kinsym.lecture.system import System, system
 from kinsym.methods import METHODS
@@ -38,9 +37,9 @@ class Shown:
     elsewhere: tuple[tuple[str, str], ...] = ()
 
 
-def shown(section: Section) -> tuple[Shown, ...]:
-    """The derivations of a section in order."""
-    return tuple(derived(robot, method) for robot, method in section.derivations)
+def shown(derivations: Sequence[tuple[str, str]]) -> tuple[Shown, ...]:
+    """The derivations of a section in order, each given as a robot and a method."""
+    return tuple(derived(robot, method) for robot, method in derivations)
 
 
 @lru_cache(maxsize=64)
@@ -50,7 +49,7 @@ def derived(robot: str, method: str) -> Shown:
         return _GENERAL[robot, method]()
     arm = system(robot)
     derivation = METHODS[method](arm.robot)
-    elsewhere = ()
+    elsewhere: tuple[tuple[str, str], ...] = ()
     if method == "screws":
         derivation = _without_general(derivation)
         elsewhere = ((GENERAL_SCREW, "screw_link:screws:A"),)
@@ -79,7 +78,9 @@ def _without_general(derivation: MethodDerivation) -> MethodDerivation:
     """A derivation that refers to the general displacement instead of stating it."""
     place = _place_of_general(derivation)
     before, behind = derivation.passages[: place - 1], derivation.passages[place + 1 :]
-    said = Sentence(f"Put into the general displacement, {{{GENERAL_SCREW}}}, they give the displacement of each joint.")
+    said = Sentence(
+        f"Put into the general displacement, {{{GENERAL_SCREW}}}, they give the displacement of each joint."
+    )
     return replace(derivation, passages=(*before, said, *behind[1:]))
 
 
