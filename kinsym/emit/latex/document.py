@@ -51,7 +51,7 @@ _BASE, _TOOL = r"T_{\mathrm{base}}", r"T_{\mathrm{tool}}"
 _LONGEST_NAME = 24
 _WORDS = {2: "two", 4: "four"}
 #: A formula wider than this (points) is set apart: inside a sentence it would leave its line half empty.
-_WIDEST_INLINE = 220.0
+_WIDEST_INLINE = 110.0
 
 
 class _Writer(Formulas):

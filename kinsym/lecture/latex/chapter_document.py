@@ -56,9 +56,9 @@ def _section(section: Section, chapter: Chapter, found: Sequence[Verdict]) -> st
 def _heading(section: Section) -> str:
     first, last = section.slides
     between = "and" if last == first + 1 else "to"
-    slides = f"Slide {first}" if first == last else f"Slides {first} {between} {last}"
+    slides = f"slide {first}" if first == last else f"slides {first} {between} {last}"
     title = escape(section.title).replace("Denavit-Hartenberg", "Denavit--Hartenberg")
-    return f"\\section{{{title}}}\n\n\\textit{{{slides}}}"
+    return f"\\section[{title}]{{{title} \\hfill \\normalfont\\normalsize\\textit{{{slides}}}}}"
 
 
 def _title(one: Shown, others: Sequence[Shown]) -> str:

@@ -31,6 +31,7 @@ _SCREW = re.compile(r"([a-z])0_i")
 _AT = re.compile(r"(\w+)_at_([a-z]+)(\d)_(\d)")
 _VECTOR = re.compile(r"(\w+)_vec")
 _STEPS = {"im1": "i-1", "ip1": "i+1"}
+_LIST = re.compile(r"\[[^]]*\]")
 _RELATION = re.compile(r" (=|!=|<=|>=|<|>) ")
 _ONE = Number(Fraction(1))
 _SCALAR = {"sin": "sin", "cos": "cos", "tan": "tan", "asin": "asin", "acos": "acos", "atan": "atan", "atan2": "atan2"}
@@ -132,7 +133,7 @@ class LecturePrinter:
             members = [self(parse(piece)) for piece in pieces[::2]]
         except NotationError:
             text = self.names.mathematics(text).replace("...", r"\cdots")
-            return text.replace("} ", r"}\; ") if "[" in text else text
+            return _LIST.sub(lambda row: row[0].replace(" ", r" \; "), text)
         signs = [relation_sign(sign) for sign in pieces[1::2]]
         return " ".join(part for pair in zip(members, [*signs, ""], strict=True) for part in pair if part)
 

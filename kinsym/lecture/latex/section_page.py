@@ -79,7 +79,7 @@ class Chapter:
             yield f"The table of the arm is Table~\\ref{{{label}}}."
             return
         self.tables.append(robot.name)
-        caption = f"{title}. {convention_of(robot)}"
+        caption = title if "convention" in title else f"{title}. {convention_of(robot)}"
         yield rendered("captioned", {"table": table_of(robot, page.formula), "caption": caption, "label": label})
 
     def rest(self, verdicts: Sequence[Verdict], *, heading: str) -> str:
@@ -102,6 +102,7 @@ class Chapter:
             else:
                 self._formula(verdict, short, long)
         again, told, short = (list(dict.fromkeys(texts)) for texts in (again, told, short))
+        long = {why: list(dict.fromkeys(rows)) for why, rows in sorted(long.items(), key=lambda item: bool(item[0]))}
         found = {"again": again, "told": told, "short": short, "long": long, "remarks": remarks}
         return rendered("slides", found | {"heading": heading}) if any(found.values()) else ""
 
