@@ -40,6 +40,7 @@ examples:
   kinsym check out                          the checks again, on the files in ./out
   kinsym lecture                            every equation of the lecture, derived and compared
   kinsym latex puma560 --method pieper      one method of the lecture as a LaTeX document
+  kinsym latex --lecture                    the whole chapter
 
 exit status: 0 done and checked; 1 no closed form, or a check failed; 2 the input is wrong
 """

@@ -107,14 +107,17 @@ def _target(options: argparse.Namespace, name: str) -> Path | None:
     target = Path(f"{name}.tex" if options.output is None else options.output)
     if options.output is None and target.exists():
         raise OutputError(f"{target} is there already. Name a file with --output; that one is then replaced.")
+    if not target.name:
+        raise OutputError(f"{target} is a folder. Name a file with --output.")
     check_place(target.parent, [target.name])
     return target
 
 
 def _chapter() -> str:
     from kinsym.lecture.latex import chapter_document
+    from kinsym.lecture.verdict import verdicts
 
-    return chapter_document()
+    return chapter_document(list(verdicts()))
 
 
 def _page(options: argparse.Namespace, robot: Robot) -> str:

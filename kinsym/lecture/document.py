@@ -26,6 +26,9 @@ numbers. A mistake is an entry whose printed form fails and whose mended form pa
 Of the {counted} link transforms, products, elements of forward kinematics and solutions kinsym prints {alike} in the
 lecture's form: the same expression up to the order of terms and factors and the place of a minus sign.
 
+`kinsym latex --lecture` writes the chapter itself: the derivations of every section, the lecture's numbers beside
+kinsym's, and its mistakes as remarks where they occur.
+
 This page is written by `kinsym lecture --markdown`.
 """
 

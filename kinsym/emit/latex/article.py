@@ -21,13 +21,13 @@ class Levels:
     """The sectioning commands of a derivation, without their backslash."""
 
     section: str
-    step: str
+    subsection: str
 
 
 LEVELS: dict[Frame, Levels] = {
-    "article": Levels(section="section", step="subsection*"),
-    "fragment": Levels(section="subsection", step="subsubsection*"),
-    "chapter": Levels(section="section", step="subsection*"),
+    "article": Levels(section="section", subsection="subsection*"),
+    "fragment": Levels(section="subsection", subsection="subsubsection*"),
+    "chapter": Levels(section="section", subsection="subsection*"),
 }
 """A fragment is a section of the document it is put into, so that its own sections stand one level lower."""
 

@@ -186,6 +186,11 @@ class _Writer(Formulas):
         named = zip(branch_rows(plan), self.derivation.branches.names, strict=True)
         return tuple(chunks([(str(number), *marks, escape(name)) for (number, marks), name in named]))
 
+    def meanings(self) -> tuple[tuple[str, str], ...]:
+        """What the words of the branches mean: each word and its explanation."""
+        parts = (meaning.partition(": ") for meaning in self.derivation.branches.meanings)
+        return tuple((escape(word), escape(explanation)) for word, _, explanation in parts)
+
     def closed_form(self, plan: Plan) -> dict[str, Any]:
         """What the document says of an inverse kinematics in closed form."""
         forks = branchings(plan)
@@ -200,7 +205,7 @@ class _Writer(Formulas):
             "signs": marks_explained(plan)[0],
             "numbers": marks_explained(plan)[1],
             "branches": self.branch_table(plan) if forks else (),
-            "meanings": [escape(meaning) for meaning in self.derivation.branches.meanings] if forks else [],
+            "meanings": self.meanings() if forks else (),
             "gate": sifting(plan),
         }
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
 
 from kinsym.emit.latex.article import framed, rendered
 from kinsym.emit.latex.sentences import escape
@@ -11,18 +10,16 @@ from kinsym.lecture.latex.section_page import Chapter
 from kinsym.lecture.latex.shown import Shown, shown
 from kinsym.lecture.report import left_open
 from kinsym.lecture.sections import Further, Section, further, sections
-from kinsym.lecture.verdict import Truth, Verdict, verdicts
+from kinsym.lecture.verdict import Truth, Verdict
 
 TITLE = "Kinematic Analysis"
 
 
-@lru_cache(maxsize=1)
-def chapter_document() -> str:
+def chapter_document(found: Sequence[Verdict]) -> str:
     """The lecture as a LaTeX article: contents, every section with its derivations, and the lecture's mistakes.
 
-    The same bytes every time.
+    ``found`` are the verdicts on the whole lecture. The same bytes every time.
     """
-    found = tuple(verdicts())
     chapter = Chapter()
     parts = [_section(section, chapter, found) for section in sections()]
     parts += [_further(one, chapter) for one in further()]

@@ -96,7 +96,8 @@ class Chapter:
             if verdict.truth is Truth.ERRATUM or not (entry.printed.members or entry.printed.claim):
                 continue
             if place := self._before(verdict):
-                again.append(place)
+                number = f"~{{\\footnotesize[{entry.number}]}}" if entry.number else ""
+                again.append(f"\\eqref{{{place}}}{number}")
             elif entry.printed.claim:
                 told.append(capital(self.remarks.printer.told(entry.printed.claim)) + ".")
             else:
