@@ -12,7 +12,7 @@ import sys
 from collections.abc import Sequence
 
 from kinsym import __version__
-from kinsym.command import check, derive, importing, lecture, plot, robots, show, workspace
+from kinsym.command import check, derive, importing, latex, lecture, plot, robots, show, workspace
 from kinsym.errors import KinsymError
 
 COMMANDS = {
@@ -24,6 +24,7 @@ COMMANDS = {
     "robots": robots,
     "check": check,
     "lecture": lecture,
+    "latex": latex,
 }
 INTERRUPTED = 130
 
@@ -42,6 +43,8 @@ examples:
   kinsym workspace puma560                  a map of what the arm reaches, and the data
   kinsym check out                          the checks again, on the files in ./out
   kinsym lecture                            every equation of the lecture, derived and compared
+  kinsym latex puma560 --method pieper      one method of the lecture as a LaTeX document
+  kinsym latex --lecture                    the whole chapter
 
 exit status: 0 done and checked; 1 no closed form, or a check failed; 2 the input is wrong
 """

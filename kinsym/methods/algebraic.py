@@ -43,7 +43,7 @@ def algebraic(robot: Robot) -> MethodDerivation:
 def _planar(arm: PlanarArm) -> MethodDerivation:
     draft = Draft(arm.chain, method=NAME, title=TITLE)
     stated = state_links(draft, arm, ("p_x", "p_y"))
-    point = "the end effector" if stated.angle is None else "P"
+    point = "the end effector" if stated.angle is None else "`P`"
     draft.say(f"The distance from the origin to {point} does not depend on the first angle, so squares are added:")
     solve_two_links(draft, stated.links, stated.point, kappa="kappa", determinant="Delta")
     state_last(draft, arm, stated.angle)

@@ -148,6 +148,10 @@ class Draft:
         self._conditions.append(equation)
         return equation
 
+    def conclude(self, name: str, left: Tree, sign: str, right: Tree) -> Equation:
+        """An inequality that is a result, not something that must hold for one."""
+        return self._equation(name, left, right, sign)
+
     def solve(
         self, unknown: str, right: Tree, *, branches: int, conditions: Sequence[Equation] = (), also: Tree | None = None
     ) -> None:

@@ -7,6 +7,7 @@ sentences of a plan hold names of the program; those become mathematics.
 from __future__ import annotations
 
 import re
+import textwrap
 import unicodedata
 from collections.abc import Callable
 
@@ -65,6 +66,7 @@ _ACCENTS = {
     "\u0328": r"\k",
 }
 _LONGEST_WORD = 30
+_SOURCE_LINE = 120
 
 
 def _character(character: str) -> str:
@@ -151,6 +153,11 @@ def prose(text: str, names: Names, words: Words = escape) -> str:
             plain += token[0]
     flush()
     return "".join(parts).strip()
+
+
+def wrapped(text: str) -> str:
+    """A paragraph in lines of the source; nothing but blanks is touched."""
+    return textwrap.fill(text, _SOURCE_LINE, break_long_words=False, break_on_hyphens=False)
 
 
 def capital(sentence: str) -> str:

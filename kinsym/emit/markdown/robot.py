@@ -4,20 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sympy import Expr
-
 from kinsym.algebra.convert import tree_of
 from kinsym.emit.latex.formula import LatexPrinter
 from kinsym.emit.latex.names import Names
+from kinsym.emit.latex.tables import row_vector, table_of
 from kinsym.emit.markdown.words import table, words
 from kinsym.emit.prose.wording import CONVENTIONS, INPUT, decimal
-from kinsym.robot.model import Convention, Joint, Matrix, Robot, Vector
-
-_HEADS = {
-    Convention.SCREW: ("$s_i$", "$s_{0i}$"),
-    Convention.CRAIG: (r"$\alpha_{i-1}$", "$a_{i-1}$", "$d_i$", r"$\theta_i$"),
-    Convention.PAUL: (r"$\alpha_i$", "$a_i$", "$d_i$", r"$\theta_i$"),
-}
+from kinsym.robot.model import Matrix, Robot
 
 
 def robot(of: Robot) -> str:
@@ -33,11 +26,10 @@ class _Robot:
 
     def page(self) -> str:
         robot = self.robot
-        rows = [(str(i), joint.kind, *self._cells(joint)) for i, joint in enumerate(robot.joints, start=1)]
         parts = [
             f"**{words(robot.title) or words(robot.name)}**",
             f"{words(CONVENTIONS[robot.convention])}:",
-            table(("$i$", "joint", *_HEADS[robot.convention]), rows),
+            self._table(),
             *self._home(),
             *(self._fixed(name, matrix) for name, matrix in (("base", robot.base), ("tool", robot.tool)) if matrix),
         ]
@@ -47,22 +39,21 @@ class _Robot:
             parts.append(f"Parameters: {', '.join(self._parameters())}.")
         return "\n\n".join(parts)
 
-    def _cell(self, cell: Expr | None) -> str:
-        return "" if cell is None else f"${self.formula(tree_of(cell))}$"
-
-    def _vector(self, vector: Vector | None) -> str:
-        return "" if vector is None else f"$({', '.join(self.formula(tree_of(cell)) for cell in vector)})$"
-
-    def _cells(self, joint: Joint) -> tuple[str, ...]:
-        if self.robot.convention is Convention.SCREW:
-            return self._vector(joint.s), self._vector(joint.s0)
-        return tuple(self._cell(cell) for cell in (joint.alpha, joint.a, joint.d, joint.theta))
+    def _table(self) -> str:
+        found = table_of(self.robot, self.formula)
+        number, *heads = found.head
+        rows = (
+            (row[0], kind, *(f"${cell}$" if cell else "" for cell in row[1:]))
+            for row, kind in zip(found.rows, found.kinds, strict=True)
+        )
+        return table((f"${number}$", "joint", *(f"${head}$" for head in heads)), rows)
 
     def _home(self) -> Iterator[str]:
         home = self.robot.home
         if home is not None:
             vectors = (("u_0", home.u0), ("v_0", home.v0), ("w_0", home.w0), ("q_0", home.q0))
-            yield f"Home pose: {', '.join(f'${name} = $ {self._vector(vector)}' for name, vector in vectors)}."
+            formulas = (f"${name} = {row_vector(vector, self.formula)}$" for name, vector in vectors)
+            yield f"Home pose: {', '.join(formulas)}."
 
     def _fixed(self, name: str, matrix: Matrix) -> str:
         rows = r" \\ ".join(" & ".join(self.formula(tree_of(cell)) for cell in row) for row in matrix)
