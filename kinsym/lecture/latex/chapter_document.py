@@ -55,7 +55,7 @@ def _heading(section: Section) -> str:
     between = "and" if last == first + 1 else "to"
     slides = f"slide {first}" if first == last else f"slides {first} {between} {last}"
     title = escape(section.title).replace("Denavit-Hartenberg", "Denavit--Hartenberg")
-    return f"\\section[{title}]{{{title}\\hspace*{{\\fill}}\\mbox{{\\normalfont\\small\\itshape {slides}}}}}"
+    return f"\\section[{title}]{{{title} \\hspace*{{\\fill}}\\mbox{{\\normalfont\\small\\itshape {slides}}}}}"
 
 
 def _title(one: Shown, others: Sequence[Shown]) -> str:
