@@ -12,7 +12,20 @@ import sys
 from collections.abc import Sequence
 
 from kinsym import __version__
-from kinsym.command import check, completion, derive, explain, importing, lecture, new, plot, robots, show, workspace
+from kinsym.command import (
+    check,
+    completion,
+    derive,
+    explain,
+    importing,
+    latex,
+    lecture,
+    new,
+    plot,
+    robots,
+    show,
+    workspace,
+)
 from kinsym.command.parsing import Parser, parsed
 from kinsym.command.screen import Screen
 from kinsym.errors import KinsymError
@@ -21,6 +34,7 @@ COMMANDS = {
     "derive": derive,
     "show": show,
     "explain": explain,
+    "latex": latex,
     "plot": plot,
     "workspace": workspace,
     "new": new,
@@ -47,6 +61,7 @@ examples:
   kinsym derive ur5 --json                 the result for a program
   kinsym show ur5                          the equations only
   kinsym explain ur5 theta3                how theta3 is found, and why so
+  kinsym latex --lecture                   the chapter of the lecture, in LaTeX
   kinsym plot ur5 --branches               all solutions of a pose, drawn
   kinsym workspace puma560                 a map of what the arm reaches
   kinsym new my_robot --convention paul    a robot file to start from

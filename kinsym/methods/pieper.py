@@ -69,7 +69,7 @@ def pieper(robot: Robot) -> MethodDerivation:
 def _state_r_and_z(draft: Draft, point: WristPoint) -> Shoulder:
     """r and z of P, in which theta1 does not occur, and their parts k1 to k4."""
     words, names = point.words, point.names
-    draft.say("The square `r` of the length of P, and its height `z`, do not depend on joint 1:")
+    draft.say("The square `r` of the length of `P`, and its height `z`, do not depend on joint 1:")
     r = draft.define(names["r"], add(*(Pow(part, 2) for part in point.position)), name="r.P")
     z = draft.define(names["z"], point.position[2], name="z.P")
     g = [Sym(names[f"g{i}"]) for i in (1, 2, 3)]

@@ -110,3 +110,15 @@ def test_a_reversed_axis_and_names_that_are_taken(method: str, table: str, chain
         angles = [posture.angles[f"theta{i}"] for i in (1, 2, 3)]
         posture.angles["phi_" if "phi" in table else "phi"] = -angles[0] + angles[1] + angles[2]
         assert follow(derivation, posture) == []
+
+
+BENT = "pi/2 0 0 theta1; 0 a2 0 theta2; -pi/2 a3 d3 theta3; pi/2 0 d4 theta4; -pi/2 0 0 theta5; 0 0 0 theta6"
+
+
+@pytest.mark.parametrize("table", [BENT, BENT.replace("d3 theta3", "d3 -theta3"), BENT.replace(" a3", " -a3")])
+def test_a_bent_link_is_a_side_of_the_triangle(table: str, chains: list[Chain]) -> None:
+    """The straight line from elbow to wrist, also where the table counts the elbow's angle the other way round."""
+    derivation = METHODS["geometric"](from_inline(table, convention="paul", name="bent"))
+    assert {"delta", "beta", "psi", "exists.near"} <= {equation.name for equation in derivation.equations}
+    for seed in range(4):
+        assert follow(derivation, Posture(chains[-1], seed)) == []
