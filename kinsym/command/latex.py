@@ -17,6 +17,11 @@ if TYPE_CHECKING:
 HELP = "write the equations as LaTeX, of one robot or of the whole lecture"
 STANDARD_OUTPUT = "-"
 LECTURE = "lecture"
+_OF_ONE_ROBOT = (
+    *("dh", "convention", "name", "task", "bind", "deadline", "lock", "nominal"),
+    *("base_link", "tip_link", "exact", "snap", "method", "fragment"),
+)
+"""Options that say something of one robot; the lecture takes none of them."""
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -60,12 +65,7 @@ def _check_alone(options: argparse.Namespace) -> None:
     """KinsymError where something is asked for beside the whole lecture."""
     beside = {
         "TABLE": options.table,
-        "--dh": options.dh,
-        "--method": options.method,
-        "--fragment": options.fragment,
-        "--lock": options.lock,
-        "--bind": options.bind,
-        "--deadline": options.deadline,
+        **{f"--{name.replace('_', '-')}": getattr(options, name) for name in _OF_ONE_ROBOT},
     }
     given = [name for name, value in beside.items() if value]
     if given:

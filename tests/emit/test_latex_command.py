@@ -100,6 +100,7 @@ def test_standard_output_holds_the_document_alone(capsys: pytest.CaptureFixture[
         ((), 2, "no table given"),
         (("--lecture", "ur5", "--fragment"), 2, "Leave out TABLE, --fragment"),
         (("--lecture", "--method", "paul"), 2, "Leave out --method"),
+        (("--lecture", "--tip-link", "tool0", "--exact"), 2, "Leave out --tip-link, --exact"),
         (("ur5", "-o", "."), 2, "is a folder"),
         (("ur5", "-o", "/proc/nowhere/x.tex"), 2, "could not be written"),
     ],

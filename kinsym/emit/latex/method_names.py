@@ -75,7 +75,7 @@ class MethodNames(Names):
                 parts.append(self[token["name"]] + " ")
             else:
                 parts.append(relation_sign(token["sign"]) + " " if token["sign"] else token["other"])
-        return re.sub(r" (?=[]),^]|$)", "", re.sub(r" {2,}", " ", "".join(parts)))
+        return re.sub(r" (?=[]()^,]|$)", "", re.sub(r" {2,}", " ", "".join(parts)))
 
 
 def is_of_a_method(name: str) -> bool:
