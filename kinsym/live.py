@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -69,7 +69,7 @@ def live(robot: Robot, values: Mapping[str, float] | None = None) -> LiveArm:
     """
     given = dict(values or {})
     inputs = [name for name, cell in robot.locks.items() if cell is None]
-    _check(robot, given, inputs)
+    check_values(robot, given, inputs)
     from kinsym.deriving import derive
     from kinsym.emit.live import live_module
     from kinsym.emit.program import build_schedule
@@ -80,7 +80,8 @@ def live(robot: Robot, values: Mapping[str, float] | None = None) -> LiveArm:
     return LiveArm(derivation, module, parameters, {name: given[name] for name in inputs})
 
 
-def _check(robot: Robot, given: Mapping[str, float], inputs: list[str]) -> None:
+def check_values(robot: Robot, given: Mapping[str, float], inputs: Sequence[str] = ()) -> None:
+    """Raise :class:`RobotError` where a parameter or one of the inputs has no value, or a value no name or number."""
     import math
     from numbers import Real
 
@@ -96,12 +97,17 @@ def _check(robot: Robot, given: Mapping[str, float], inputs: list[str]) -> None:
         raise RobotError(
             f"the parameter{'' if one else 's'} {', '.join(lacking)} ha{'s' if one else 've'} no value",
             where=robot.name,
-            remedy="Write numbers under [parameters] of the robot file, or give them with the call.",
+            remedy="Write numbers under [parameters] of the robot file, or give them with the call "
+            f"(on the command line: {' '.join(_option(robot, name) for name in lacking)}).",
         )
     for name, value in given.items():
         if not isinstance(value, Real) or not math.isfinite(value):
             raise RobotError(f"{name} = {value!r} is no number", where=robot.name, remedy="Give a finite number.")
 
 
-def _list(robot: Robot, inputs: list[str]) -> str:
+def _option(robot: Robot, name: str) -> str:
+    return f"--{'bind' if name in robot.parameters else 'lock'} {name}=VALUE"
+
+
+def _list(robot: Robot, inputs: Sequence[str]) -> str:
     return ", ".join([*robot.parameters, *inputs]) or "none"
