@@ -117,7 +117,7 @@ def _closed_form(writer: Writer, plan: Plan) -> dict[str, Any]:
     return {
         "start": "" if whole in loops(plan, derivation.robot) else writer.tex(f"{{}}^{{{whole[0]}}}T_{{{whole[1]}}} = T"),
         "passages": tuple(passages(writer, plan)),
-        "values": Markup("").join(writer.definition(value.variable, value.value) for value in found),
+        "joint_values": Markup("").join(writer.definition(value.variable, value.value) for value in found),
         "wrapped": any(value.wrapped for value in found),
         "meanings": [escape(meaning) for meaning in derivation.branches.meanings],
         "gate": sifting(plan),
