@@ -12,12 +12,13 @@ import sys
 from collections.abc import Sequence
 
 from kinsym import __version__
-from kinsym.command import check, derive, importing, lecture, robots, show
+from kinsym.command import check, derive, importing, lecture, report, robots, show
 from kinsym.errors import KinsymError
 
 COMMANDS = {
     "derive": derive,
     "show": show,
+    "report": report,
     "import": importing,
     "robots": robots,
     "check": check,
@@ -36,6 +37,7 @@ examples:
   kinsym derive arm.urdf --tip-link tool0   a chain of a URDF file
   kinsym import arm.urdf --tip-link tool0   the same as a robot file, to read and edit
   kinsym show ur5                           the equations only
+  kinsym report ur5                         one page with the arm drawn, equations, checks and code
   kinsym check out                          the checks again, on the files in ./out
   kinsym lecture                            every equation of the lecture, derived and compared
 

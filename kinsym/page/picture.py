@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from kinsym.live import Floats
@@ -17,17 +17,20 @@ if TYPE_CHECKING:
 
 WIDTH, HEIGHT = 640, 480
 """The drawing's own units."""
+AZIMUTH, ELEVATION = -0.9, 0.42
+"""From where an arm in space is seen, radians."""
 COLOURS = 8
 """Solutions beyond so many begin with the first colour again."""
 
-_FILLED = 0.44
+_FILLED = 0.74
 _TURN_RADIUS, _TURN_HALF = 9.5, 12.0
 _BOX = (9.0, 9.0, 15.0)
 _INNER, _OUTER = 24.0, 44.0
 _SHORTEST = 1e-6
 _EDGE_ON = 0.02
 
-Point = Sequence[float]
+Point = Any
+"""Three numbers, an array of them or a tuple."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,22 +67,25 @@ class View:
 
 
 def view_of(shape: Linkage, paths: Sequence[Floats]) -> View:
-    """The view that shows all of some arms, given by the corners of their links (k, 3)."""
-    import numpy as np
-
-    points = np.concatenate(paths)
-    low, high = points.min(axis=0), points.max(axis=0)
-    centre = [round(float(value), 6) for value in (low + high) / 2]
-    radius = float(np.linalg.norm(high - low)) / 2 or shape.size
+    """The view that shows all of some arms, given by the corners of their links (k, 3), as large as there is room."""
     angles = {(0, 1): (-math.pi / 2, math.pi / 2), (0, 2): (-math.pi / 2, 0.0), (1, 2): (0.0, 0.0)}
-    azimuth, elevation = angles[shape.plane] if shape.plane else (-0.9, 0.42)
-    return View(
-        azimuth=azimuth,
-        elevation=elevation,
+    azimuth, elevation = angles[shape.plane] if shape.plane else (AZIMUTH, ELEVATION)
+    unit = View(azimuth=azimuth, elevation=elevation, centre=(0.0, 0.0, 0.0), scale=1.0, plane=shape.plane or (0, 1))
+    points = [tuple(map(float, point)) for path in paths for point in path]
+    ends = [(min(values), max(values)) for values in zip(*(_along(point, unit.axes) for point in points), strict=True)]
+    wide, high = (top - low for low, top in ends[:2])
+    scale = min(_FILLED * WIDTH / wide if wide else math.inf, _FILLED * HEIGHT / high if high else math.inf)
+    middles = [(low + top) / 2 for low, top in ends]
+    centre = [round(sum(middles[k] * unit.axes[k][i] for k in range(3)), 6) + 0.0 for i in range(3)]
+    return replace(
+        unit,
         centre=(centre[0], centre[1], centre[2]),
-        scale=float(f"{_FILLED * HEIGHT / radius:.6g}"),
-        plane=shape.plane or (0, 1),
+        scale=float(f"{scale if math.isfinite(scale) else WIDTH / shape.size:.6g}"),
     )
+
+
+def _along(point: Point, axes: Sequence[Point]) -> tuple[float, ...]:
+    return tuple(_dot(point, axis) for axis in axes)
 
 
 def grid_step(view: View) -> float:
@@ -96,13 +102,9 @@ def grid_step(view: View) -> float:
 
 def drawing(shape: Linkage, posture: Posture, others: Sequence[tuple[int, Floats]], view: View) -> str:
     """The elements of the drawing; ``others`` are the solutions beside it, each its number and its corners (k, 3)."""
-    solid = sorted(
-        (*_links(shape, posture, view), *_joints(shape, posture, view), *_frames(posture, view)),
-        key=lambda item: item[0],
-    )
-    return "".join(
-        (*_floor(posture, view), *(_ghost(*other, view) for other in others), *(element for _, element in solid))
-    )
+    solid = sorted((*_links(shape, posture, view), *_joints(shape, posture, view)), key=lambda item: item[0])
+    ghosts = (_ghost(*other, view) for other in others)
+    return "".join((*_floor(posture, view), *ghosts, *(element for _, element in solid), *_frames(posture, view)))
 
 
 def _floor(posture: Posture, view: View) -> Iterator[str]:
@@ -181,31 +183,31 @@ def _box(frame: Floats, middle: Point, view: View) -> str:
     return "".join(faces)
 
 
-def _frames(posture: Posture, view: View) -> Iterator[tuple[float, str]]:
-    """The axes of the table's frames; those of the first and the last are longer and have letters."""
+def _frames(posture: Posture, view: View) -> Iterator[str]:
+    """The axes of the table's frames, over all else; those of the first and the last are longer and have letters."""
     last = len(posture.frames) - 1
     for number, frame in enumerate(posture.frames):
         outer = number in (0, last)
         origin = view.seen(frame[:3, 3])
         length = _OUTER if outer else _INNER
         for axis, letter in enumerate("xyz"):
-            x, y, near = view.direction(frame[:3, axis])
-            end = (origin[0] + length * x, origin[1] + length * y, origin[2] + length * near / view.scale)
+            x, y, _ = view.direction(frame[:3, axis])
+            end = (origin[0] + length * x, origin[1] + length * y)
             name = f"axis {letter}" if outer else f"axis inner {letter}"
             element = f'<path class="{name}" d="{_line(origin, end)}"/>'
             if outer:
                 place = f'x="{origin[0] + 1.22 * length * x:.1f}" y="{origin[1] + 1.22 * length * y:.1f}"'
                 element += f'<text class="letter {letter}" {place}>{letter}</text>'
-            yield _depth(origin, end), element
+            yield element
 
 
 def _dot(a: Point, b: Point) -> float:
-    return float(a[0]) * b[0] + float(a[1]) * b[1] + float(a[2]) * b[2]
+    return float(a[0] * b[0] + a[1] * b[1] + a[2] * b[2])
 
 
 def _depth(start: Point, end: Point) -> float:
     """How near the middle of two points is, rounded so that ties are ties on every machine."""
-    return round((start[2] + end[2]) / 2, 6)
+    return round(float(start[2] + end[2]) / 2, 6)
 
 
 def _at(x: float, y: float) -> str:

@@ -2,7 +2,7 @@
 
 const [WIDTH, HEIGHT, COLOURS] = [640, 480, 8];
 const [TURN_RADIUS, TURN_HALF, BOX, INNER, OUTER] = [9.5, 12, [9, 9, 15], 24, 44];
-const [SHORTEST, EDGE_ON] = [1e-6, 0.02];
+const [SHORTEST, EDGE_ON, FILLED] = [1e-6, 0.02, 0.74];
 
 /** The directions to the right, up and towards the viewer. */
 function viewAxes({ azimuth, elevation }) {
@@ -38,9 +38,10 @@ function gridStep(view) {
 /** The elements of the drawing; `others` are the solutions beside it, each its number and its corners. */
 function drawing(arm, posture, others, view) {
   const look = projection(view);
-  const solid = [...links(arm, posture, look), ...joints(arm, posture, look), ...frameAxes(posture, view, look)];
+  const solid = [...links(arm, posture, look), ...joints(arm, posture, look)];
   solid.sort((first, second) => first[0] - second[0]);
-  return [...floor(posture, view, look), ...others.map((other) => ghost(other, look)), ...solid.map((item) => item[1])].join("");
+  const ghosts = others.map((other) => ghost(other, look));
+  return [...floor(posture, view, look), ...ghosts, ...solid.map((item) => item[1]), ...frameAxes(posture, look)].join("");
 }
 
 function floor(posture, view, look) {
@@ -121,20 +122,20 @@ function box(frame, middle, look) {
   return faces.join("");
 }
 
-function frameAxes(posture, view, look) {
+function frameAxes(posture, look) {
   return posture.frames.flatMap((frame, number) => {
     const outer = number === 0 || number === posture.frames.length - 1;
     const origin = look.seen(column(frame, 3));
     const length = outer ? OUTER : INNER;
     return ["x", "y", "z"].map((letter, axis) => {
-      const [x, y, near] = look.direction(column(frame, axis));
-      const end = [origin[0] + length * x, origin[1] + length * y, origin[2] + length * near / view.scale];
+      const [x, y] = look.direction(column(frame, axis));
+      const end = [origin[0] + length * x, origin[1] + length * y];
       let element = `<path class="axis ${outer ? "" : "inner "}${letter}" d="${line(origin, end)}"/>`;
       if (outer) {
         const [left, top] = [origin[0] + 1.22 * length * x, origin[1] + 1.22 * length * y];
         element += `<text class="letter ${letter}" x="${left.toFixed(1)}" y="${top.toFixed(1)}">${letter}</text>`;
       }
-      return [depth(origin, end), element];
+      return element;
     });
   });
 }

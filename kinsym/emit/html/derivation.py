@@ -14,8 +14,19 @@ from kinsym.emit.html.general import general_steps
 from kinsym.emit.html.passages import passages
 from kinsym.emit.html.singular import singular_section
 from kinsym.emit.html.writer import Writer
-from kinsym.emit.prose.nominal import BESIDE, GUARANTEE, HEAD, IN_DOUBT, NOMINAL, SINGULAR, TITLE
-from kinsym.emit.prose.nominal import changes, difference, doubts, offsets
+from kinsym.emit.prose.nominal import (
+    BESIDE,
+    GUARANTEE,
+    HEAD,
+    IN_DOUBT,
+    NOMINAL,
+    SINGULAR,
+    TITLE,
+    changes,
+    difference,
+    doubts,
+    offsets,
+)
 from kinsym.emit.prose.wording import (
     CONVENTIONS,
     POSE,
@@ -115,7 +126,9 @@ def _closed_form(writer: Writer, plan: Plan) -> dict[str, Any]:
     whole = span(derivation.robot, plan.task)
     found = [value for value in plan.values if found_by_sum(value)]
     return {
-        "start": "" if whole in loops(plan, derivation.robot) else writer.tex(f"{{}}^{{{whole[0]}}}T_{{{whole[1]}}} = T"),
+        "start": ""
+        if whole in loops(plan, derivation.robot)
+        else writer.tex(f"{{}}^{{{whole[0]}}}T_{{{whole[1]}}} = T"),
         "passages": tuple(passages(writer, plan)),
         "joint_values": Markup("").join(writer.definition(value.variable, value.value) for value in found),
         "wrapped": any(value.wrapped for value in found),

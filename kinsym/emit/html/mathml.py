@@ -1,7 +1,7 @@
 """Rows of MathML that a browser can break into lines.
 
 Browsers do not break a formula. So a formula is a :class:`Row`: pieces that stay whole, each of them a ``math``
-element of its own in the page, with a blank between them, where a line may end. What is inside a root, a fraction or a
+element of its own in the page, and between two of them a line may end. What is inside a root, a fraction or a
 matrix is one piece.
 """
 
@@ -18,11 +18,11 @@ Row = tuple[str, ...]
 
 _LEAF = re.compile(r"</m[ino]>")
 _FENCE = re.compile(r">([()\[\]{}])</mo>")
-_BRACKETS = ("()", "[]", "{}")
+_BRACKETS = (("(", ")"), ("[", "]"), ("{", "}"))
 #: A row with more leaves than this stands in brackets of plain height, between which lines can end.
 _TALLEST = 20
 #: A row with more leaves than this in all is given to the page in pieces.
-_WHOLE = 12
+_WHOLE = 26
 
 
 def glued(*rows: Row) -> Row:
@@ -93,4 +93,4 @@ def matrix(rows: Iterable[Iterable[str]]) -> str:
 def math(row: Row) -> Markup:
     """A row for the page; a short one stays whole."""
     pieces = (grouped(row),) if leaves(row) <= _WHOLE else row
-    return Markup(" ".join(f"<math>{piece}</math>" for piece in pieces))
+    return Markup("<wbr>".join(f"<math>{piece}</math>" for piece in pieces))

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 from kinsym.algebra.tree import Definition
 from kinsym.emit.html.sentences import capital
@@ -18,6 +19,9 @@ from kinsym.inverse.plan import Plan, Step, Window
 _COUNTS = {1: "one solution", 2: "two solutions", 4: "at most four solutions"}
 
 
+NOTHING = Markup("")
+
+
 @dataclass(frozen=True, kw_only=True)
 class Passage:
     """One item of the derivation; ``kind`` is ``"constants"``, ``"window"``, ``"names"`` or ``"step"``.
@@ -26,17 +30,17 @@ class Passage:
     """
 
     kind: str
-    equations: Markup = Markup("")
+    equations: Markup = NOTHING
     number: int = 0
-    unknown: Markup = Markup("")
-    rule: str = ""
-    why: Markup = Markup("")
+    unknown: Markup = NOTHING
+    rule: Markup = NOTHING
+    why: Markup = NOTHING
     branches: str = ""
     sources: tuple[tuple[Markup, Markup], ...] = ()
-    coefficients: Markup = Markup("")
-    solution: Markup = Markup("")
-    condition: Markup = Markup("")
-    degenerate: Markup = Markup("")
+    coefficients: Markup = NOTHING
+    solution: Markup = NOTHING
+    condition: Markup = NOTHING
+    degenerate: Markup = NOTHING
 
 
 def passages(writer: Writer, plan: Plan) -> Iterator[Passage]:
@@ -84,7 +88,7 @@ def _step(writer: Writer, step: Step, before: Step | None) -> Passage:
         kind="step",
         number=step.number,
         unknown=writer.name(step.unknown),
-        rule=rule_title(step.rule),
+        rule=_rule(writer, rule_title(step.rule)),
         why=capital(writer.sentence(step.why)),
         branches=_COUNTS[step.branches],
         sources=tuple(
@@ -99,6 +103,13 @@ def _step(writer: Writer, step: Step, before: Step | None) -> Passage:
             writer.definition(name, value, note=f"(branch {mark.replace('-', '−')})" if mark else "")
             for (name, value), mark in marked
         ),
-        condition=writer.relation(step.condition) if step.condition else Markup(""),
-        degenerate=writer.relation(step.degenerate) if step.degenerate else Markup(""),
+        condition=writer.relation(step.condition) if step.condition else NOTHING,
+        degenerate=writer.relation(step.degenerate) if step.degenerate else NOTHING,
     )
+
+
+def _rule(writer: Writer, title: str) -> Markup:
+    """The name of a rule, the equation in it as mathematics."""
+    parts = re.split(r"(a c \+ b s = [0e])", title)
+    pieces = (writer.tex(part.replace(" ", r"\,")) if k % 2 else escape(part) for k, part in enumerate(parts))
+    return Markup("").join(pieces)

@@ -14,7 +14,6 @@ from kinsym.emit.prose.singular import (
     FAMILIES,
     angles,
     equations,
-    family_conditions,
     follows,
     heading,
     introduction,
@@ -56,9 +55,7 @@ def singular_section(writer: Writer) -> SingularSection:
             (
                 Markup(", ").join(writer.relation(relation) for relation in family.conditions),
                 held.filled(
-                    follows(
-                        family, lambda tree: held.put(writer.math(tree)), lambda name: held.put(writer.name(name))
-                    )
+                    follows(family, lambda tree: held.put(writer.math(tree)), lambda name: held.put(writer.name(name)))
                 ),
             )
             for family in families
@@ -73,9 +70,7 @@ def _equations(condition: Condition, writer: Writer) -> Markup:
     def put(text: str) -> Markup:
         return held.filled(text) if text != "0" else Markup("<math><mn>0</mn></math>")
 
-    lines = [
-        put(left) + equal + put(right) for left, right in equations(condition, lambda t: held.put(writer.math(t)))
-    ]
+    lines = [put(left) + equal + put(right) for left, right in equations(condition, lambda t: held.put(writer.math(t)))]
     values = angles(condition, lambda tree: held.put(writer.math(tree)))
     if values:
         lines[-1] += Markup(' <span class="note">{} {}</span>').format(leading_to(condition), held.filled(values))

@@ -7,6 +7,7 @@ read here was written by kinsym: letters, digits, signs, ``_``, ``^``, groups, G
 from __future__ import annotations
 
 import re
+from html import escape
 
 from kinsym.emit.html.mathml import Row, fence, grouped, identifier, matrix, number, operator
 
@@ -39,7 +40,7 @@ class _Reader:
     """Reads tokens from left to right."""
 
     def __init__(self, tokens: list[str]) -> None:
-        self._tokens, self._at = tokens, 0
+        self._tokens, self._at, self._depth = tokens, 0, 0
 
     def pieces(self) -> list[list[str]]:
         """The whole formula."""
@@ -60,25 +61,16 @@ class _Reader:
         return items
 
     def _scripted(self) -> str:
-        """An item with its subscript and superscript; an empty one carries the left superscript of the next."""
+        """An item with its subscript and superscript; an empty group carries the left superscript of what follows."""
         base = self._item()
         scripts: dict[str, str] = {}
         while self._at < len(self._tokens) and self._tokens[self._at] in ("_", "^"):
             place = self._tokens[self._at]
             self._at += 1
+            self._depth += 1
             scripts[place] = self._item()
-        if not base and "^" in scripts:
-            return self._left(scripts["^"])
+            self._depth -= 1
         return _with_scripts(base, scripts.get("_"), scripts.get("^"))
-
-    def _left(self, before: str) -> str:
-        letter = self._item()
-        below = ""
-        if self._at < len(self._tokens) and self._tokens[self._at] == "_":
-            self._at += 1
-            below = self._item()
-        none = "<mrow></mrow>"
-        return f"<mmultiscripts>{letter}{below or none}{none}<mprescripts></mprescripts>{none}{before}</mmultiscripts>"
 
     def _item(self) -> str:
         token = self._tokens[self._at]
@@ -98,7 +90,10 @@ class _Reader:
             return fence(token)
         if token == "'":
             return "<mo>′</mo>"
-        return operator("−" if token == "-" else token, "postfix" if token in ",." else "infix")
+        sign = "−" if token == "-" else token
+        if self._depth:  # signs of an index stand close together
+            return f'<mo lspace="0" rspace="0">{escape(sign)}</mo>'
+        return operator(sign, "postfix" if token in ",." else "infix")
 
     def _command(self, name: str) -> str:
         if name in _GREEK:
@@ -108,7 +103,7 @@ class _Reader:
         if name in _SIGNS:
             return operator(_SIGNS[name])
         if name in _FUNCTIONS:
-            return f"{identifier(name)}<mspace width=\"0.17em\"></mspace>"
+            return f'{identifier(name)}<mspace width="0.17em"></mspace>'
         if name in _IGNORED:
             return self._item()
         if name in ("mathrm", "operatorname"):
@@ -146,8 +141,11 @@ class _Reader:
 
 
 def _with_scripts(base: str, below: str | None, above: str | None) -> str:
+    if below is None and above is None:
+        return base
+    base = base or "<mrow></mrow>"
     if below is not None and above is not None:
         return f"<msubsup>{base}{below}{above}</msubsup>"
     if below is not None:
         return f"<msub>{base}{below}</msub>"
-    return base if above is None else f"<msup>{base}{above}</msup>"
+    return f"<msup>{base}{above}</msup>"

@@ -154,9 +154,7 @@ class Writer:
     def assumed(self, plan: Plan | GeneralPlan) -> Markup:
         """What must not vanish for the inverse kinematics to be right."""
         zero = ("<mn>0</mn>",)
-        return Markup(", ").join(
-            math(glued(self.formula(item.value), (operator("≠"),), zero)) for item in plan.nonzero
-        )
+        return Markup(", ").join(math(glued(self.formula(item.value), (operator("≠"),), zero)) for item in plan.nonzero)
 
     def product(self) -> Markup:
         """The links, with the home pose behind those of a screw table, base and tool around them."""
@@ -164,7 +162,11 @@ class Writer:
         factors = [link(item.name) for item in self.derivation.forward.links]
         if robot.home is not None:
             factors.append(r"\, [u_{0}\; v_{0}\; w_{0}\; q_{0}]")
-        framed = [*([r"T_{\mathrm{base}}"] if robot.base else []), "T'", *([r"T_{\mathrm{tool}}"] if robot.tool else [])]
+        framed = [
+            *([r"T_{\mathrm{base}}"] if robot.base else []),
+            "T'",
+            *([r"T_{\mathrm{tool}}"] if robot.tool else []),
+        ]
         if len(framed) == 1:
             return self.equation(("<mi>T</mi>",), mathml(rf"{' '.join(factors)} = [u\; v\; w\; p]"))
         return self.equation(("<mi>T</mi>",), mathml(r" \, ".join(framed))) + self.equation(
@@ -175,5 +177,3 @@ class Writer:
         """The columns of the Jacobian."""
         columns: Sequence[Sequence[Tree]] = list(zip(*self.derivation.jacobian.entries, strict=True))
         return tuple(self.matrix(f"J{k}", [[cell] for cell in column]) for k, column in enumerate(columns, start=1))
-
-

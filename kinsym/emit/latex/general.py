@@ -87,6 +87,7 @@ def _sentence(text: str, names: Names) -> str:
 
 def tex_of(text: str, names: Names) -> str:
     """Mathematics of a sentence of the general solver as LaTeX."""
+
     def token(match: re.Match[str]) -> str:
         word = match[0]
         return _WORDS.get(word) or _named(word, names)
