@@ -203,14 +203,22 @@ const alike = (arm, first, second, width) => first.every((value, i) => {
   return Math.abs(arm.kinds[i] === "R" ? wrapped(apart) : apart / arm.size) <= width;
 });
 
-/** All solutions of a pose, in the order of their branches; `found` are joint vectors next to them. */
+/**
+ * All solutions of a pose, in the order of their branches; `found` are joint vectors next to them. Those that are next
+ * to the pose already come first, so that a stray one cannot take the place of another's solution.
+ */
 function solutionsAt(arm, target, found, entries, still) {
   const solutions = [];
-  for (const { branch, q } of found) {
+  const missed = found.map((each) => {
+    const off = missBy(arm, postureOf(arm, each.q).tip, target, entries);
+    return { ...each, off: Math.max(...off.map(Math.abs)) };
+  });
+  missed.sort((first, second) => first.off - second.off);
+  for (const { branch, q } of missed) {
     const exact = polished(arm, q, target, entries, still);
     if (exact && !solutions.some((other) => alike(arm, other.q, exact, 1e-6))) {
       solutions.push({ branch, q: exact });
     }
   }
-  return solutions;
+  return solutions.sort((first, second) => first.branch - second.branch);
 }
