@@ -6,10 +6,10 @@ The protocol is https://chromedevtools.github.io/devtools-protocol/; messages ar
 from __future__ import annotations
 
 import base64
+import fcntl
 import json
 import os
 import shutil
-import subprocess
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
@@ -42,17 +42,22 @@ class Browser:
         self._profile = tempfile.TemporaryDirectory(prefix="kinsym-browser-", ignore_cleanup_errors=True)
         ours_in, theirs_out = os.pipe()
         theirs_in, ours_out = os.pipe()
+        # The browser reads from descriptor 3 and writes to descriptor 4; from 10 on neither is in the way of the other.
+        high_in, high_out = (fcntl.fcntl(end, fcntl.F_DUPFD_CLOEXEC, 10) for end in (theirs_in, theirs_out))
         program = find_chromium() or "chromium"
-        flags = (*FLAGS, f"--user-data-dir={self._profile.name}", "about:blank")
-        # The browser reads from descriptor 3 and writes to descriptor 4.
-        self._process = subprocess.Popen(
-            ["sh", "-c", f'exec "$0" "$@" 3<&{theirs_in} 4>&{theirs_out}', program, *flags],
-            pass_fds=(theirs_in, theirs_out),
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
+        self._process = os.posix_spawn(
+            program,
+            [program, *FLAGS, f"--user-data-dir={self._profile.name}", "about:blank"],
+            os.environ,
+            file_actions=[
+                (os.POSIX_SPAWN_DUP2, high_in, 3),
+                (os.POSIX_SPAWN_DUP2, high_out, 4),
+                (os.POSIX_SPAWN_OPEN, 1, os.devnull, os.O_WRONLY, 0),
+                (os.POSIX_SPAWN_OPEN, 2, os.devnull, os.O_WRONLY, 0),
+            ],
         )
-        os.close(theirs_in)
-        os.close(theirs_out)
+        for end in (theirs_in, theirs_out, high_in, high_out):
+            os.close(end)
         self._in, self._out = os.fdopen(ours_in, "rb", buffering=0), os.fdopen(ours_out, "wb", buffering=0)
         self._pending, self._number, self._session = b"", 0, ""
         self.events: list[dict[str, Any]] = []
@@ -66,11 +71,13 @@ class Browser:
 
     def __exit__(self, *_: object) -> None:
         self._session = ""
-        self._send("Browser.close")
-        self._process.wait(timeout=20)
-        self._in.close()
-        self._out.close()
-        self._profile.cleanup()
+        try:
+            self._send("Browser.close")
+        finally:
+            self._out.close()
+            self._in.close()
+            os.waitpid(self._process, 0)
+            self._profile.cleanup()
 
     def open(
         self, path: Path, *, script: bool = True, width: int = 1200, height: int = 900, dark: bool = False

@@ -1,0 +1,82 @@
+"""Pages for the tests, each robot derived once."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache
+from html.parser import HTMLParser
+
+from kinsym.check.reporting import report_of
+from kinsym.derivation import Derivation
+from kinsym.deriving import derive
+from kinsym.emit.live import live_module
+from kinsym.emit.program import build_schedule
+from kinsym.emit.schedule import Schedule
+from kinsym.page import page
+from kinsym.page.shown import Shown, shown
+from kinsym.robot.model import Robot
+from tests.arms import robot
+
+#: Elements that have no end in HTML.
+EMPTY = frozenset("meta input br wbr".split())
+
+
+@dataclass(frozen=True)
+class Made:
+    """A page with what it was made of."""
+
+    derivation: Derivation
+    schedule: Schedule
+    shown: Shown
+    text: str
+
+
+def make(arm: Robot) -> Made:
+    """The page of a robot, without checks and with a few words in the place of its code."""
+    derivation = derive(arm)
+    schedule = build_schedule(derivation)
+    numbers = shown(derivation, live_module(schedule))
+    sources = {f"{arm.name}.py": "print(1 < 2)\n", f"{arm.name}.c": "int main(void);\n"}
+    text = page(derivation, schedule, sources, report_of(derivation.robot, schedule, sources, None), numbers)
+    return Made(derivation, schedule, numbers, text)
+
+
+@cache
+def made(name: str) -> Made:
+    """The page of a robot of the gallery or of a shape of the tests."""
+    return make(robot(name))
+
+
+class Outline(HTMLParser):
+    """Reads a page; raises ValueError where an element ends that is not the one that is open."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(convert_charrefs=True)
+        self.open: list[str] = []
+        self.tags: list[tuple[str, dict[str, str | None]]] = []
+        self.words: list[str] = []
+        self.feed(text)
+        self.close()
+        if self.open:
+            raise ValueError(f"left open: {self.open}")
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append((tag, dict(attrs)))
+        if tag not in EMPTY:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append((tag, dict(attrs)))
+
+    def handle_endtag(self, tag: str) -> None:
+        if not self.open or self.open.pop() != tag:
+            raise ValueError(f"</{tag}> at line {self.getpos()[0]}")
+
+    def handle_data(self, data: str) -> None:
+        if not {"script", "style"} & set(self.open):
+            self.words.append(data)
+
+    def plain(self) -> str:
+        """What a reader sees, blanks removed."""
+        return re.sub(r"\s+", "", "".join(self.words))
