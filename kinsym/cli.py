@@ -12,13 +12,15 @@ import sys
 from collections.abc import Sequence
 
 from kinsym import __version__
-from kinsym.command import check, derive, importing, lecture, report, robots, show
+from kinsym.command import check, derive, importing, lecture, plot, report, robots, show, workspace
 from kinsym.errors import KinsymError
 
 COMMANDS = {
     "derive": derive,
     "show": show,
     "report": report,
+    "plot": plot,
+    "workspace": workspace,
     "import": importing,
     "robots": robots,
     "check": check,
@@ -38,6 +40,8 @@ examples:
   kinsym import arm.urdf --tip-link tool0   the same as a robot file, to read and edit
   kinsym show ur5                           the equations only
   kinsym report ur5                         one page with the arm drawn, equations, checks and code
+  kinsym plot ur5 --branches                all solutions of a pose, drawn over each other
+  kinsym workspace puma560                  a map of what the arm reaches, and the data
   kinsym check out                          the checks again, on the files in ./out
   kinsym lecture                            every equation of the lecture, derived and compared
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from kinsym.live import LiveArm, check_values
@@ -21,12 +22,12 @@ from kinsym.robot.model import Convention, Robot
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from kinsym.live import Bools, Floats
+    from kinsym.live import Floats
 
 _PARALLEL = 0.1
 """Axes whose angle has a smaller sine have no common normal that is worth drawing: its foot may be far away."""
 _DETOUR = 3.0
-"""A table whose frames lie so much further apart than its axes do is that of a calibrated arm; it shows no links."""
+"""Where axes are nearly parallel, frames that lie so much further apart than the axes do are no corners of links."""
 _FLAT = 1e-9
 """How far from right angles the axes of an arm in a plane may be."""
 
@@ -53,7 +54,7 @@ class Linkage:
 
     ``kinds`` has "R" or "P" for each joint, ``limits`` (n, 2) its range, infinite where the table has none. ``axes``
     (n, 4, 4) are frames with z along each axis, where the link before arrives. ``frames`` (m, 4, 4) have the names
-    ``frame_names`` and are carried by the first ``carried`` joints. ``size`` is the length of the way along the axes.
+    ``frame_names`` and are carried by the first ``carried`` joints. ``size`` is the length of the way along the links.
     """
 
     variables: tuple[str, ...]
@@ -120,9 +121,12 @@ def linkage(arm: Robot | LiveArm, values: Mapping[str, float] | None = None) -> 
     numbers = {name: Fraction(given[name]) if name in given else value for name, value in robot.parameters.items()}
     home = arm_of(replace(robot, parameters=numbers))
     axes = np.array([_matrix(axis.frame) for axis in home.axes])
-    if robot.convention is Convention.SCREW or _way(axes[:, :3, 3]) > _DETOUR * float(home.size):
-        axes[:, :3, 3] = _corners(axes, np.array([float(x) for x in home.frames[0].origin]))
     frames, names, carried = _frames(robot, home)
+    size, way = float(home.size), _way(np.concatenate([frames[:1, :3, 3], axes[:, :3, 3], frames[-1:, :3, 3]]))
+    if robot.convention is Convention.SCREW or (_nearly_parallel(axes) and way > _DETOUR * size):
+        axes[:, :3, 3] = _corners(axes, frames[0, :3, 3])
+    else:
+        size = max(size, way)
     bounds = [(-np.inf, np.inf) if joint.limits is None else joint.limits for joint in robot.moving]
     return Linkage(
         variables=robot.variables,
@@ -132,7 +136,7 @@ def linkage(arm: Robot | LiveArm, values: Mapping[str, float] | None = None) -> 
         frames=frames,
         frame_names=names,
         carried=carried,
-        size=float(home.size),
+        size=size,
     )
 
 
@@ -161,16 +165,24 @@ def _corners(axes: Floats, start: Floats) -> Floats:
     import numpy as np
 
     points = [_nearest(axes[0], start)]
-    for before, axis in zip(axes, axes[1:], strict=False):
+    for before, axis in pairwise(axes):
         u, v = before[:3, 2], axis[:3, 2]
         normal = np.cross(u, v)
         square = float(normal @ normal)
         if square < _PARALLEL**2:
             points.append(_nearest(axis, points[-1]))
             continue
-        along = float(np.cross(before[:3, 3] - axis[:3, 3], u) @ normal) / square
+        along = float(np.cross(axis[:3, 3] - before[:3, 3], u) @ normal) / square
         points.append(axis[:3, 3] + along * v)
     return np.array(points)
+
+
+def _nearly_parallel(axes: Floats) -> bool:
+    """Whether two axes in a row are parallel but for a small angle, as in the table of a calibrated arm."""
+    import numpy as np
+
+    sines = np.linalg.norm(np.cross(axes[:-1, :3, 2], axes[1:, :3, 2]), axis=-1)
+    return bool(((sines > _FLAT) & (sines < _PARALLEL)).any())
 
 
 def _nearest(axis: Floats, point: Floats) -> Floats:

@@ -69,12 +69,20 @@ function linkage(table) {
   if (table.convention === "screw" || table.tool) {
     frames.push({ name: "tool", carried: axes.length, home: compose(here, table.tool ?? UNIT) });
   }
-  const size = sizeOf(axes, column(frames[frames.length - 1].home, 3));
-  const points = axes.map((axis) => column(axis, 3));
+  const [start, tip] = [frames[0], frames[frames.length - 1]].map((frame) => column(frame.home, 3));
+  const points = [start, ...axes.map((axis) => column(axis, 3)), tip];
   const way = points.slice(1).reduce((sum, point, k) => sum + norm(plus(point, points[k], -1)), 0);
-  if (table.convention === "screw" || way > 3 * size) moveToCorners(axes, column(frames[0].home, 3));
+  let size = sizeOf(axes, tip);
+  if (table.convention === "screw" || (nearlyParallel(axes) && way > 3 * size)) moveToCorners(axes, start);
+  else size = Math.max(size, way);
   return { kinds: moving.map((row) => row.kind), axes, frames, size };
 }
+
+/** Whether two axes in a row are parallel but for a small angle, as in the table of a calibrated arm. */
+const nearlyParallel = (axes) => axes.slice(1).some((axis, k) => {
+  const sine = norm(cross(column(axes[k], 2), column(axis, 2)));
+  return sine > 1e-9 && sine < 0.1;
+});
 
 const nearest = (axis, point) => {
   const [z, origin] = [column(axis, 2), column(axis, 3)];
@@ -94,19 +102,19 @@ function sizeOf(axes, tip) {
 
 /** Put every axis' origin where the common normal with the axis before arrives. */
 function moveToCorners(axes, start) {
-  let point = start;
+  let [point, before] = [start, null];
   axes.forEach((axis, k) => {
-    const [u, v] = [k ? column(axes[k - 1], 2) : column(axis, 2), column(axis, 2)];
-    const normal = cross(u, v);
+    const v = column(axis, 2);
+    const normal = before ? cross(column(before, 2), v) : [0, 0, 0];
     const square = dot(normal, normal);
     if (square < 0.01) {
       point = nearest(axis, point);
     } else {
-      const offset = plus(column(axes[k - 1], 3), column(axis, 3), -1);
-      point = plus(column(axis, 3), v, dot(cross(offset, u), normal) / square);
+      const offset = plus(column(axis, 3), column(before, 3), -1);
+      point = plus(column(axis, 3), v, dot(cross(offset, column(before, 2)), normal) / square);
     }
-    axis = withColumns(column(axis, 0), column(axis, 1), v, point);
-    axes[k] = axis;
+    before = axis;
+    axes[k] = withColumns(column(axis, 0), column(axis, 1), v, point);
   });
 }
 

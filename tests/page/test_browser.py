@@ -207,8 +207,8 @@ def test_the_picture_turns_under_the_mouse_and_the_keys(browser: Browser, opened
     browser.press("0")
     shown = browser.run("""
         [...document.querySelectorAll(".link")].every((each) => {
-          const [line, frame] = [each.getBoundingClientRect(), picture.getBoundingClientRect()];
-          return line.left > frame.left && line.right < frame.right && line.top > frame.top && line.bottom < frame.bottom;
+          const [a, b] = [each.getBoundingClientRect(), picture.getBoundingClientRect()];
+          return a.left > b.left && a.right < b.right && a.top > b.top && a.bottom < b.bottom;
         })
     """)
     assert shown
