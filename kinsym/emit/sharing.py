@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
+from functools import lru_cache
 from itertools import combinations
 
 from kinsym.algebra.tree import Definition, Num, Prod, Sum, Sym, Tree, add, children, mul, negated, negative, symbols
@@ -108,8 +109,14 @@ def _terms(tree: Tree) -> Iterator[Pair]:
 
 
 def _signed(pair: Pair) -> Pair:
-    first, second = sorted(pair, key=lambda term: repr(negated(term) if negative(term) else term))
+    first, second = sorted(pair, key=_order)
     return (negated(first), negated(second)) if negative(first) else (first, second)
+
+
+@lru_cache(maxsize=4096)
+def _order(term: Tree) -> str:
+    """What terms are sorted by: their text without a minus."""
+    return repr(negated(term) if negative(term) else term)
 
 
 def _without_terms(tree: Tree, pair: Pair, name: Sym) -> Tree:
@@ -131,13 +138,11 @@ def _parts(tree: Tree) -> tuple[Tree, ...]:
 
 def _inside(tree: Tree, change: Callable[[Tree], Tree]) -> Tree:
     """The same expression with its parts changed."""
-    match tree:
-        case Sum(terms):
-            return add(*map(change, terms))
-        case Prod(factors):
-            return mul(*map(change, factors))
-        case _:
-            return tree
+    parts = _parts(tree)
+    changed = tuple(map(change, parts))
+    if all(new is old for new, old in zip(changed, parts, strict=True)):
+        return tree
+    return add(*changed) if isinstance(tree, Sum) else mul(*changed)
 
 
 def _placed(definitions: list[tuple[str, Tree]], known: dict[str, Tree]) -> tuple[Definition, ...]:
