@@ -41,8 +41,8 @@ def joint_controls(shown: Shown, names: Names) -> list[Control]:
         angle = kind == "R"
         low, high = (float(bound) for bound in limits)
         if angle:
-            low, high = max(math.degrees(low), -180.0), min(math.degrees(high), 180.0)
-            low, high, step = float(math.ceil(low)), float(math.floor(high)), 1.0
+            low, high = (math.degrees(low), math.degrees(high)) if math.isfinite(low) else (-180.0, 180.0)
+            low, high, step = math.ceil(low - 1e-9), math.floor(high + 1e-9), 1.0
         else:
             low, high = low if math.isfinite(low) else -shape.size, high if math.isfinite(high) else shape.size
             step = float(f"{(high - low) / 200:.1g}")

@@ -26,7 +26,7 @@ from kinsym.page.controls import joint_controls, parameter_controls
 from kinsym.page.picture import HEIGHT, WIDTH, View, drawing, grid_step, view_of
 from kinsym.page.shown import Shown
 from kinsym.page.slice import workspace_slice
-from kinsym.page.solutions import forks, is_current, rows
+from kinsym.page.solutions import forks, is_current, rows, unbounded
 
 if TYPE_CHECKING:
     from kinsym.check.report import Report
@@ -45,7 +45,13 @@ def page(derivation: Derivation, schedule: Schedule, sources: Mapping[str, str],
     """
     robot = derivation.robot
     names = Names([*robot.variables, *robot.parameters])
-    view = view_of(shown.shape, [shown.shape.at(solution.q).path for solution in shown.solutions] or [_path(shown)])
+    others = [
+        (solution.branch, shown.shape.at(solution.q).path)
+        for solution in shown.solutions
+        if not is_current(shown, solution.q)
+    ]
+    posture = shown.shape.at(shown.q)
+    view = view_of(shown.shape, [posture.path, *(path for _, path in others)])
     script = "\n".join(
         [
             '"use strict";',
@@ -67,7 +73,7 @@ def page(derivation: Derivation, schedule: Schedule, sources: Mapping[str, str],
         "data": Markup(_json(_data(schedule, shown, view))),
         "width": WIDTH,
         "height": HEIGHT,
-        "drawing": Markup(drawing(shown.shape, shown.shape.at(shown.q), _others(shown), view)),
+        "drawing": Markup(drawing(shown.shape, posture, others, view)),
         "grid": f"{grid_step(view):g}",
         "joints": joint_controls(shown, names),
         "parameters": parameter_controls(shown, names),
@@ -76,6 +82,7 @@ def page(derivation: Derivation, schedule: Schedule, sources: Mapping[str, str],
         "closed": schedule.general is None,
         "forks": forks(derivation),
         "rows": rows(derivation, shown),
+        "limited": not all(unbounded(*limits) for limits in shown.shape.limits.tolist()),
         "derivation": derivation_html(derivation),
         "slice": workspace_slice(shown) if complete else None,
         "operations": [
@@ -94,10 +101,6 @@ def page(derivation: Derivation, schedule: Schedule, sources: Mapping[str, str],
         ],
     }
     return environment(autoescape=True).get_template("html/page.html.jinja").render(context)
-
-
-def _path(shown: Shown) -> Any:
-    return shown.shape.at(shown.q).path
 
 
 def _asset(name: str) -> str:
@@ -135,17 +138,8 @@ def _data(schedule: Schedule, shown: Shown, view: View) -> dict[str, Any]:
         },
         "entries": ENTRIES[schedule.task],
         "still": [place for place, joint in enumerate(schedule.joints) if joint.name in locked],
-        "names": list(schedule.branches),
+        "limits": [None if unbounded(*limits) else list(limits) for limits in shown.shape.limits.tolist()],
         "solutions": None
         if schedule.general is None
         else [{"branch": solution.branch, "q": list(solution.q)} for solution in shown.solutions],
     }
-
-
-def _others(shown: Shown) -> list[tuple[int, Any]]:
-    """The solutions that are not the posture of the page."""
-    return [
-        (solution.branch, shown.shape.at(solution.q).path)
-        for solution in shown.solutions
-        if not is_current(shown, solution.q)
-    ]

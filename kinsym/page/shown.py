@@ -88,9 +88,11 @@ def chosen(robot: Robot) -> dict[str, float]:
 
 
 def _input(shape: Linkage, name: str) -> float:
-    """The value of a joint that the inverse kinematics is given."""
+    """The value of a joint that the inverse kinematics is given; the middle of its limits where they forbid it."""
     place = shape.variables.index(name)
-    return ANGLE if shape.kinds[place] == "R" else float(f"{SLIDE * shape.size:.2g}")
+    value = ANGLE if shape.kinds[place] == "R" else float(f"{SLIDE * shape.size:.2g}")
+    low, high = map(float, shape.limits[place])
+    return value if low <= value <= high else (low + high) / 2.0
 
 
 def _posture(arm: LiveArm, shape: Linkage) -> Floats:
@@ -116,13 +118,11 @@ def _drawn(shape: Linkage, generator: random.Random) -> list[float]:
     for kind, limits in zip(shape.kinds, shape.limits, strict=True):
         low, high = map(float, limits)
         turning = kind == "R"
-        if turning:
-            low, high = max(low, -math.pi), min(high, math.pi)
-        elif not (math.isfinite(low) and math.isfinite(high)):
-            low, high = 0.2 * shape.size, shape.size
-        steps = [math.radians(k * _STEP) for k in range(-11, 13) if low <= math.radians(k * _STEP) <= high]
+        if not (math.isfinite(low) and math.isfinite(high)):
+            low, high = (-math.pi, math.pi) if turning else (0.2 * shape.size, shape.size)
+        steps = range(math.ceil(math.degrees(low) / _STEP + 1e-9), math.floor(math.degrees(high) / _STEP + 1e-9) + 1)
         if turning and steps:
-            values.append(generator.choice(steps))
+            values.append(math.radians(generator.choice(steps) * _STEP))
             continue
         share = generator.randint(1, _STEPS_OF_SLIDE - 1) / _STEPS_OF_SLIDE
         values.append(float(f"{low + (high - low) * share:.3g}"))

@@ -17,18 +17,22 @@ from kinsym.page.shown import Shown
 if TYPE_CHECKING:
     from kinsym.derivation import Derivation
 
+#: How far a joint may lie outside its limits, in radians or the unit of length.
+_WITHIN = 1e-9
+
 
 @dataclass(frozen=True, kw_only=True)
 class Row:
     """One solution in the table: its place in the tree of branches and its joint values, None where it is not real.
 
-    ``forks`` are the cells of branching steps that begin here, each a mark and how many rows it holds for.
+    ``forks`` are the cells of branching steps that begin here, each a mark and how many rows it holds for. A value has
+    its text and whether it lies beyond the limits of its joint.
     """
 
     branch: int
     name: str
     forks: tuple[tuple[str, int], ...]
-    values: tuple[str, ...] | None
+    values: tuple[tuple[str, bool], ...] | None
     current: bool
 
 
@@ -61,8 +65,11 @@ def _row(shown: Shown, branch: int, name: str, forks: tuple[tuple[str, int], ...
     values = None
     if q is not None:
         values = tuple(
-            _shown(math.degrees(value), 2) + "°" if kind == "R" else _shown(value, 4)
-            for kind, value in zip(shown.shape.kinds, q, strict=True)
+            (
+                _shown(math.degrees(value), 2) + "°" if kind == "R" else _shown(value, 4),
+                _beyond(kind, value, *map(float, limits)),
+            )
+            for kind, value, limits in zip(shown.shape.kinds, q, shown.shape.limits, strict=True)
         )
     return Row(branch=branch, name=name, forks=forks, values=values, current=q is not None and is_current(shown, q))
 
@@ -70,6 +77,24 @@ def _row(shown: Shown, branch: int, name: str, forks: tuple[tuple[str, int], ...
 def _shown(value: float, places: int) -> str:
     """A number with a proper minus sign and no negative zero."""
     return f"{round(value, places) + 0.0:.{places}f}".replace("-", "−")
+
+
+def _beyond(kind: str, value: float, low: float, high: float) -> bool:
+    """Whether a joint value lies outside the limits, whatever whole turns are added to an angle.
+
+    >>> _beyond("R", -3.0, 2.0, 4.0), _beyond("P", -3.0, 2.0, 4.0)
+    (False, True)
+    """
+    if unbounded(low, high):
+        return False
+    if kind == "R":
+        value += 2 * math.pi * math.ceil((low - _WITHIN - value) / (2 * math.pi))
+    return not low - _WITHIN <= value <= high + _WITHIN
+
+
+def unbounded(low: float, high: float) -> bool:
+    """Whether a joint has no limits."""
+    return math.isinf(low) and math.isinf(high)
 
 
 def is_current(shown: Shown, q: tuple[float, ...]) -> bool:

@@ -36,6 +36,15 @@ function showPose(tip) {
   }));
 }
 
+/** Whether a joint value lies outside the limits, whatever whole turns are added to an angle. */
+function isBeyond(i, value) {
+  if (data.limits[i] === null) return false;
+  const [low, high] = [data.limits[i][0] - 1e-9, data.limits[i][1] + 1e-9];
+  const turns = arm.kinds[i] === "R" ? Math.ceil((low - value) / (2 * Math.PI)) : 0;
+  const wound = value + 2 * Math.PI * turns;
+  return wound < low || wound > high;
+}
+
 function showSolutions() {
   let shown = 0;
   for (const row of solutionTable.tBodies[0].rows) {
@@ -50,6 +59,7 @@ function showSolutions() {
     row.querySelectorAll(".value").forEach((cell, i) => {
       const value = solution?.q[i];
       const angle = arm.kinds[i] === "R";
+      cell.classList.toggle("beyond", solution !== undefined && isBeyond(i, value));
       cell.textContent = solution ? (angle ? `${rounded(value * 180 / Math.PI, 2)}°` : rounded(value, 4)) : "";
     });
   }
@@ -62,8 +72,17 @@ function showSolutions() {
 function showControls() {
   document.querySelectorAll("[data-joint].slider").forEach((slider) => {
     const i = Number(slider.dataset.joint);
-    setControl(slider, arm.kinds[i] === "R" ? state.q[i] * 180 / Math.PI : state.q[i]);
+    if (arm.kinds[i] === "P") setControl(slider, state.q[i]);
+    else setControl(slider, insideOf(slider.querySelector("input"), state.q[i] * 180 / Math.PI));
   });
+}
+
+/** An angle in degrees with the whole turns that bring it into the range of its slider, if any do. */
+function insideOf(range, angle) {
+  const [low, high] = [Number(range.min), Number(range.max)];
+  if (angle >= low && angle <= high) return angle;
+  const wound = angle + 360 * Math.ceil((low - angle) / 360);
+  return wound <= high ? wound : angle;
 }
 
 function setControl(slider, value) {

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import cache
 from html.parser import HTMLParser
 
@@ -20,6 +21,11 @@ from tests.arms import robot
 
 #: Elements that have no end in HTML.
 EMPTY = frozenset("meta input br wbr".split())
+
+
+LIMITED = "puma560_limited"
+#: Of joints that turn from -60 to 240 degrees, so that angles next to -pi have to be wound.
+LIMITS = (Fraction(-1047, 1000), Fraction(4189, 1000))
 
 
 @dataclass(frozen=True)
@@ -44,7 +50,11 @@ def make(arm: Robot) -> Made:
 
 @cache
 def made(name: str) -> Made:
-    """The page of a robot of the gallery or of a shape of the tests."""
+    """The page of a robot of the gallery, of a shape of the tests, or of one of them with limits of our own."""
+    if name == LIMITED:
+        arm = robot("puma560")
+        joints = tuple(replace(joint, limits=LIMITS) for joint in arm.joints)
+        return make(replace(arm, joints=joints))
     return make(robot(name))
 
 

@@ -176,6 +176,24 @@ def test_every_branch_shows_the_same_pose(name: str, browser: Browser, opened: A
     assert len(postures) == len(page.shown.solutions) > 1
 
 
+def test_values_beyond_the_limits_are_marked(browser: Browser, opened: Any) -> None:
+    """As the module's own ``within`` sifts them, before the script runs and after it."""
+    page = opened("puma560_limited")
+    arm = page.shown.arm
+    limits = arm.limits
+    for posture in (list(page.shown.q), [0.2, 2.4, 0.4, 0.5, 0.6, 0.7]):
+        browser.run(f"(() => {{ state.q = {posture}; show(); }})()")
+        inside = arm.module.within(arm.fk(np.array(posture)), reference=np.array(posture), limits=limits).branch
+        rows = browser.run(
+            "[...document.querySelectorAll('#solutions tbody tr')].filter((row) => row.cells[0].firstChild.disabled ==="
+            " false && !row.querySelector('.beyond')).map((row) => Number(row.dataset.branch))"
+        )
+        assert rows == sorted({int(branch) for branch in inside})
+    static = re.findall(r'<tr data-branch="(\d+)"(?:(?!</tr>).)*class="value beyond"', page.text, re.DOTALL)
+    first = arm.module.within(page.shown.pose, reference=np.array(page.shown.q), limits=limits).branch
+    assert {int(branch) for branch in static} == set(range(8)) - {int(branch) for branch in first}
+
+
 def test_a_click_on_a_solution_in_the_picture_takes_it(browser: Browser, opened: Any) -> None:
     opened("planar_rr")
     first = pose(browser)
