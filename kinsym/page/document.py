@@ -33,7 +33,6 @@ if TYPE_CHECKING:
     from kinsym.derivation import Derivation
     from kinsym.emit.schedule import Schedule
 
-_SCRIPTS = ("kinematics.js", "drawing.js", "panel.js")
 _LANGUAGES = {".py": "Python module, needs NumPy alone", ".c": "C99", ".h": "C header"}
 _FUNCTIONS = {"forward": "fk", "inverse": "ik", "jacobian": "jacobian"}
 
@@ -52,14 +51,8 @@ def page(derivation: Derivation, schedule: Schedule, sources: Mapping[str, str],
     ]
     posture = shown.shape.at(shown.q)
     view = view_of(shown.shape, [posture.path, *(path for _, path in others)])
-    script = "\n".join(
-        [
-            '"use strict";',
-            *(_asset(name) for name in _SCRIPTS[:1]),
-            javascript_source(derivation, schedule),
-            *(_asset(name) for name in _SCRIPTS[1:]),
-        ]
-    )
+    kinematics, drawn, panel = map(_asset, ("kinematics.js", "drawing.js", "panel.js"))
+    script = "\n".join(('"use strict";', kinematics, javascript_source(derivation, schedule), drawn, panel))
     style = _asset("style.css")
     complete = all(value is not None for value in robot.parameters.values())
     context = {

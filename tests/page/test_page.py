@@ -20,6 +20,7 @@ from kinsym.robot import from_inline, load
 from kinsym.workspace import reached
 from kinsym.workspace.orientations import orientations
 from tests.page.pages import Made, Outline, made, make
+from tests.test_nominal import FIVE
 
 HOSTILE = '</script><img src=x onerror=alert(1)>{{ 7*7 }} & "quotes" \u2028'
 NAMES = ("planar_rr", "stanford_screw", "scorbot_5r", "kuka_iiwa", "general_3r")
@@ -125,6 +126,20 @@ def test_the_data_is_json_that_cannot_end_its_element(arm: Made) -> None:
 
 def test_the_same_robot_gives_the_same_bytes() -> None:
     assert make(load("stanford_screw")).text == made("stanford_screw").text
+
+
+def test_an_arm_next_to_a_special_one_shows_both() -> None:
+    """The closed form of the nominal arm, then the general solver's steps."""
+    page = make(replace(from_inline(FIVE, convention="paul", name="five"), nominal=True))
+    outline = Outline(page.text)
+    nominal = page.derivation.nominal
+    assert nominal is not None
+    assert nominal.derivation.plan is not None
+    words = outline.plain()
+    assert words.count("Solution:") == len(nominal.derivation.plan.steps)
+    assert "ClosedformoftheNominalarm".lower() in words.lower()
+    assert "polynomialofdegree" in words
+    assert "function candidates" not in page.text
 
 
 def test_a_parameter_without_a_number_gets_a_slider_and_one_with_a_number_none() -> None:
