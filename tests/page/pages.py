@@ -16,6 +16,7 @@ from kinsym.emit.program import build_schedule
 from kinsym.emit.schedule import Schedule
 from kinsym.page import page
 from kinsym.page.shown import Shown, shown
+from kinsym.robot.files import from_draft
 from kinsym.robot.model import Robot
 from tests.arms import robot
 
@@ -26,6 +27,19 @@ EMPTY = frozenset("meta input br wbr".split())
 LIMITED = "puma560_limited"
 #: Of joints that turn from -60 to 240 degrees, so that angles next to -pi have to be wound.
 LIMITS = (Fraction(-1047, 1000), Fraction(4189, 1000))
+
+SKEW_SCREWS = "skew_screws"
+#: Axes that neither meet nor are parallel, each named by a point far from where the links are.
+SKEW = {
+    "name": SKEW_SCREWS,
+    "convention": "screw",
+    "joints": [
+        {"type": "R", "variable": "theta1", "s": ["0", "0", "1"], "s0": ["0", "0", "0"]},
+        {"type": "R", "variable": "theta2", "s": ["0", "1", "0"], "s0": ["0.3", "5", "0.4"]},
+        {"type": "R", "variable": "theta3", "s": ["1", "0", "0"], "s0": ["2", "0.2", "0.7"]},
+    ],
+    "home": {"u0": ["1", "0", "0"], "v0": ["0", "1", "0"], "w0": ["0", "0", "1"], "q0": ["1", "0.5", "0.9"]},
+}
 
 
 @dataclass(frozen=True)
@@ -50,7 +64,9 @@ def make(arm: Robot) -> Made:
 
 @cache
 def made(name: str) -> Made:
-    """The page of a robot of the gallery, of a shape of the tests, or of one of them with limits of our own."""
+    """The page of a robot of the gallery, of a shape of the tests, or of one of ours."""
+    if name == SKEW_SCREWS:
+        return make(from_draft(SKEW, where=name))
     if name == LIMITED:
         arm = robot("puma560")
         joints = tuple(replace(joint, limits=LIMITS) for joint in arm.joints)

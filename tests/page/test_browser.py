@@ -17,8 +17,9 @@ from kinsym.page.picture import drawing, view_of
 from tests.page.browser import Browser
 from tests.page.pages import Made, Outline, made
 
-#: Arms that use every kernel: slides, screws, an input, a gate, four roots of one polynomial.
+#: Arms that use every kernel: slides, screws, reversed joints, an input, a gate, four roots of one polynomial.
 SOLVED = (
+    "reversed_axes",
     "planar_rpr",
     "stanford_screw",
     "scorbot_5r",
@@ -96,7 +97,7 @@ def test_the_page_finds_the_solutions_that_numpy_finds(name: str, browser: Brows
         assert np.abs(apart).max() < 1e-7
 
 
-@pytest.mark.parametrize("name", ["planar_rr", "kuka_iiwa", "stanford_screw"])
+@pytest.mark.parametrize("name", ["planar_rr", "kuka_iiwa", "stanford_screw", "skew_screws"])
 def test_the_script_draws_what_stands_in_the_page(name: str, browser: Browser, opened: Any) -> None:
     """The picture without JavaScript, and one of another posture, number by number."""
     page = opened(name)
