@@ -85,7 +85,7 @@ class Linkage:
         corners = np.stack([arrive, leave], axis=-2).reshape(*arrive.shape[:-2], -1, 3)
         path = np.concatenate([frames[..., :1, :3, 3], corners, frames[..., -1:, :3, 3]], axis=-2)
         turning = np.array([kind == "R" for kind in self.kinds])
-        joints = (after if turning.all() else np.where(turning[:, None, None], after, before)) @ self.axes
+        joints = after @ self.axes
         joints[..., :3, 3] = np.where(turning[:, None], (arrive + leave) / 2.0, arrive)
         return Posture(path=path, joints=joints, frames=frames)
 

@@ -14,7 +14,7 @@ from kinsym.errors import RobotError
 from kinsym.postures import general_posture
 from kinsym.robot import from_inline, gallery, load
 from kinsym.robot.files import from_draft
-from kinsym.robot.model import Convention, Robot
+from kinsym.robot.model import Robot
 from kinsym.skeleton import Linkage, linkage
 
 GENERATED = Path(__file__).resolve().parent.parent / "generated"
@@ -57,9 +57,8 @@ def test_links_are_rigid_and_leave_their_axes_at_right_angles(name: str) -> None
     ways = np.diff(posture.path, axis=1)
     links, along, axes = ways[:, 2:-1:2], ways[:, 1:-1:2], posture.joints[..., :3, 2]
     assert np.abs(np.einsum("kni,kni->kn", links, axes[:, :-1])).max() < 1e-12
-    straight = robot.convention is not Convention.SCREW and all(joint.kind != "fixed" for joint in robot.joints)
-    skew = np.linalg.norm(np.cross(axes[:, :-1], axes[:, 1:]), axis=-1) > 0.1
-    if straight or skew.all():
+    if all(joint.kind != "fixed" for joint in robot.joints):
+        skew = np.linalg.norm(np.cross(axes[:, :-1], axes[:, 1:]), axis=-1) > 0.1
         assert np.abs(np.einsum("kni,kni->kn", links, axes[:, 1:])[skew]).max(initial=0.0) < 1e-12
     lengths = np.linalg.norm(links, axis=-1)
     assert np.abs(lengths - lengths[0]).max() < 1e-12

@@ -235,7 +235,7 @@ def test_a_cluster_that_goes_away(tmp_path: Path) -> None:
             cluster.close(timeout=5)
 
     keep = tmp_path / "x.partial.npz"
-    with cluster, pytest.raises(KinsymError, match="gave up: .*What was found is kept"):
+    with cluster, pytest.raises(KinsymError, match=r"gave up: .*What was found is kept"):
         sweep(three_links(31), scheduler=cluster.scheduler_address, keep=keep, progress=close)
     assert keep.exists()
 
@@ -327,6 +327,8 @@ def test_a_slice_is_a_map() -> None:
         "base",
     ]
     assert ax.get_xlabel() == "x [m]"
+    (image,) = drawn(some()).images
+    assert (some().inside[..., 0] == ~np.ma.getmaskarray(image.get_array()).T).all()
 
 
 def test_a_volume_is_cut_open() -> None:

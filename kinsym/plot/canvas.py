@@ -138,7 +138,8 @@ def legend(ax: Axes, handles: Sequence[Any], *, own: bool, columns: int) -> None
     if own:
         ax.figure.legend(loc="lower center", bbox_to_anchor=(0.5, 0.005), **look)
     else:
-        ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12 if not in_space(ax) else 0.0), **look)
+        # Below the label of the axis, whose height does not shrink with the axes.
+        ax.legend(loc="upper center", bbox_to_anchor=(0.5, 0.0), borderaxespad=0.5 if in_space(ax) else 4.5, **look)
 
 
 def scale(ax: Axes, mappable: Any, text: str, *, own: bool) -> None:

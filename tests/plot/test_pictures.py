@@ -116,6 +116,19 @@ def test_what_is_in_front_hides_what_is_behind() -> None:
     assert faces[1][0] > faces[1][2]
 
 
+def test_the_sides_that_look_at_the_viewer_are_drawn() -> None:
+    """Seen from little above, the middle of the visible sides of a box is above that of the box."""
+    ax = Figure().add_subplot(projection="3d")
+    ax.view_init(elev=20.0, azim=30.0)
+    cube = box(np.eye(4), 0.5, 0.5, "#ff0000")
+    drawn = Solids([cube])
+    ax.add_collection(drawn)
+    drawn.do_3d_projection()
+    assert len(drawn.get_paths()) == 3
+    corners = np.concatenate([path.vertices[:4] for path in drawn.get_paths()])
+    assert corners[:, 1].mean() > projected(ax, np.concatenate(cube.facets))[:, 1].mean() + 1e-3
+
+
 def test_solutions_that_look_alike_are_one_arm(puma: LiveArm, ur5: LiveArm) -> None:
     """A wrist with its axes in a point turns over in place; that of a UR5 does not."""
     pose = puma.fk(np.radians([30.0, 45.0, -150.0, -45.0, 90.0, 75.0]))
@@ -212,7 +225,9 @@ def test_the_same_bytes_whatever_the_user_has_set(puma: LiveArm) -> None:
     texts = []
     for size in (10.0, 30.0):
         with (
-            matplotlib.rc_context({"font.size": size, "lines.linewidth": size, "svg.hashsalt": str(size)}),
+            matplotlib.rc_context(
+                {"font.size": size, "font.family": "serif" if size > 20.0 else "sans-serif", "svg.hashsalt": str(size)}
+            ),
             plain_style(),
         ):
             texts.append(rendered(skeleton(puma), "svg"))
