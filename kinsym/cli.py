@@ -22,6 +22,7 @@ from kinsym.command import (
     lecture,
     new,
     plot,
+    report,
     robots,
     show,
     workspace,
@@ -36,6 +37,7 @@ COMMANDS = {
     "explain": explain,
     "latex": latex,
     "plot": plot,
+    "report": report,
     "workspace": workspace,
     "new": new,
     "import": importing,
@@ -63,6 +65,7 @@ examples:
   kinsym explain ur5 theta3                how theta3 is found, and why so
   kinsym latex --lecture                   the chapter of the lecture, in LaTeX
   kinsym plot ur5 --branches               all solutions of a pose, drawn
+  kinsym report ur5                        one page: arm, equations, code
   kinsym workspace puma560                 a map of what the arm reaches
   kinsym new my_robot --convention paul    a robot file to start from
   kinsym import arm.urdf --tip-link tool0  a robot file from URDF

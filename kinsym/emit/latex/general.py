@@ -84,10 +84,12 @@ def _sentence(text: str, names: Names, words: Words = escape) -> str:
     '$R \\nu = P_{1} \\mu$ gives $\\nu$ at 100 \\%'
     """
     parts = re.split(r"\{(.*?)\}", text)
-    return "".join(f"${_formula(part, names)}$" if k % 2 else _spaced(part, words) for k, part in enumerate(parts))
+    return "".join(f"${tex_of(part, names)}$" if k % 2 else _spaced(part, words) for k, part in enumerate(parts))
 
 
-def _formula(text: str, names: Names) -> str:
+def tex_of(text: str, names: Names) -> str:
+    """Mathematics of a sentence of the general solver as LaTeX."""
+
     def token(match: re.Match[str]) -> str:
         word = match[0]
         return _WORDS.get(word) or _named(word, names)

@@ -97,7 +97,7 @@ def escape(text: str) -> str:
 Words = Callable[[str], str]
 """Escapes words for the document that they stand in."""
 
-_TOKEN = re.compile(
+TOKEN = re.compile(
     r"(?P<pose>T_(?P<left>\d+)_(?P<right>\d+))"
     r"|(?P<link>[AL]\d+)(?P<inverse>\^-1)?"
     r"|(?P<name>[A-Za-z][A-Za-z0-9_]*)(?P<power>\^\d)?"
@@ -106,7 +106,7 @@ _TOKEN = re.compile(
 )
 
 
-def _is_symbol(name: str, names: Names) -> bool:
+def is_symbol(name: str, names: Names) -> bool:
     """Whether a word of a sentence means a quantity; other words are taken for English.
 
     The letters of rows (x, y, z) and columns (u, v, w, p) always mean a quantity.
@@ -134,13 +134,13 @@ def prose(text: str, names: Names, words: Words = escape) -> str:
             parts.append(" ")
         plain = ""
 
-    for token in _TOKEN.finditer(text):
+    for token in TOKEN.finditer(text):
         math = ""
         if token["pose"]:
             math = pose(int(token["left"]), int(token["right"]))
         elif token["link"]:
             math = link(token["link"]) + ("^{-1}" if token["inverse"] else "")
-        elif token["name"] and _is_symbol(token["name"], names):
+        elif token["name"] and is_symbol(token["name"], names):
             math = names[token["name"]] + (f"^{{{token['power'][1:]}}}" if token["power"] else "")
         if math:
             if parts and parts[-1].endswith("$") and plain == " ":
