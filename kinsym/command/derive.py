@@ -11,7 +11,7 @@ from kinsym.command.options import add_quiet, add_table
 if TYPE_CHECKING:
     from kinsym.command.screen import Screen
 
-TARGETS = ("numpy", "c", "latex", "extension")
+TARGETS = ("numpy", "c", "latex", "extension", "cpp", "ikfast")
 
 
 HELP = "derive, check and write a robot's kinematics"

@@ -45,10 +45,11 @@ def embedded(*, whole: bool) -> Core:
     return Core(embedded=True, whole=whole, public=word, local=word, inlined=word, data="static KINSYM_DATA")
 
 
-def macros(text: str) -> list[str]:
-    """The macros that a source defines, in order.
+def macros(text: str, name: str) -> list[str]:
+    r"""The macros that a source defines, in order, but for those with the robot's name, which nothing else can mean.
 
-    >>> macros("#define TURN 6.28\\n#define restrict __restrict\\n#define TURN 6.28\\n")
+    >>> macros("#define UR5_JOINTS 6\n#define TURN 6.28\n#define restrict __restrict\n", "ur5")
     ['TURN', 'restrict']
     """
-    return list(dict.fromkeys(re.findall(r"^#define (\w+)", text, re.MULTILINE)))
+    found = dict.fromkeys(re.findall(r"^#define (\w+)", text, re.MULTILINE))
+    return [macro for macro in found if not macro.startswith(f"{name.upper()}_")]
