@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from kinsym.errors import RobotError
+from kinsym.poses import as_poses
 from kinsym.robot.model import Robot
 
 if TYPE_CHECKING:
@@ -44,14 +45,17 @@ class LiveArm:
         result: Floats = self.module.fk(q, **self.values)
         return result
 
-    def ik(self, poses: Floats) -> tuple[Floats, Bools]:
-        """All solutions (..., S, n) of poses (..., 4, 4), and which of them there are (..., S)."""
-        q, valid = self.module.ik_batch(poses, **self.values, **self.inputs)
+    def ik(self, poses: Any) -> tuple[Floats, Bools]:
+        """All solutions (..., S, n) of poses (..., 4, 4), and which of them there are (..., S).
+
+        Poses are whatever :func:`kinsym.poses.as_poses` reads.
+        """
+        q, valid = self.module.ik_batch(as_poses(poses), **self.values, **self.inputs)
         return q, valid
 
-    def solve(self, pose: Floats) -> Any:
+    def solve(self, pose: Any) -> Any:
         """The solutions of one pose with their marks: which joints are free, and of which two solutions meet."""
-        return self.module.solve(pose, **self.values, **self.inputs)
+        return self.module.solve(as_poses(pose), **self.values, **self.inputs)
 
     @property
     def limits(self) -> Floats:
