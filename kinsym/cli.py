@@ -12,13 +12,14 @@ import sys
 from collections.abc import Sequence
 
 from kinsym import __version__
-from kinsym.command import check, derive, importing, lecture, robots, show
+from kinsym.command import check, derive, exporting, importing, lecture, robots, show
 from kinsym.errors import KinsymError
 
 COMMANDS = {
     "derive": derive,
     "show": show,
     "import": importing,
+    "export": exporting,
     "robots": robots,
     "check": check,
     "lecture": lecture,
@@ -35,6 +36,7 @@ examples:
   kinsym derive kuka_iiwa --lock theta3     an arm with seven joints: theta3 is an input
   kinsym derive arm.urdf --tip-link tool0   a chain of a URDF file
   kinsym import arm.urdf --tip-link tool0   the same as a robot file, to read and edit
+  kinsym export ur5 --to urdf               the chain for another program
   kinsym show ur5                           the equations only
   kinsym check out                          the checks again, on the files in ./out
   kinsym lecture                            every equation of the lecture, derived and compared

@@ -67,7 +67,7 @@ def test_two_poses(given: Any) -> None:
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        (None, r"the goal is no matrix of numbers"),
+        (None, r"the goal has the shape \(\)"),
         ("north", r"the goal is no matrix of numbers"),
         (np.eye(3), r"the goal has the shape \(3, 3\)\. A pose has the shape \(4, 4\)\. Give a matrix"),
         ([[1.0], [2.0, 3.0]], r"the goal is no matrix of numbers"),
