@@ -65,3 +65,9 @@ def test_without_a_compiler_they_are_written_unchecked(tmp_path: Path, monkeypat
     monkeypatch.delenv("CXX", raising=False)
     assert main(["derive", "gudel_fp1", "--target", "ikfast", "-o", str(tmp_path), "--quiet"]) == 0
     assert outcome(tmp_path)["ikfast", "compiles without a warning"] == "not run"
+
+
+@pytest.mark.parametrize("name", ["core", "fk", "own", "Pose"])
+def test_a_robot_may_be_called_as_what_is_in_the_header(name: str, tmp_path: Path) -> None:
+    table = ["--dh", "0 l1 0 theta1", "--convention", "paul", "--bind", "l1=0.4", "--name", name]
+    assert main(["derive", *table, "--target", "cpp", "--target", "ikfast", "--quiet", "-o", str(tmp_path)]) == 0
