@@ -18,9 +18,11 @@ from kinsym.command import (
     derive,
     explain,
     importing,
+    latex,
     lecture,
     new,
     plot,
+    report,
     robots,
     show,
     workspace,
@@ -33,9 +35,11 @@ COMMANDS = {
     "derive": derive,
     "show": show,
     "explain": explain,
-    "new": new,
+    "latex": latex,
     "plot": plot,
+    "report": report,
     "workspace": workspace,
+    "new": new,
     "import": importing,
     "robots": robots,
     "check": check,
@@ -55,11 +59,14 @@ examples:
   kinsym derive --dh "pi/2 0 d1 theta1; 0 a2 0 theta2" --convention paul
   kinsym derive kuka_iiwa --lock theta3    seven joints: theta3 is an input
   kinsym derive arm.urdf --tip-link tool0  a chain of a URDF file
+  kinsym derive ur5 --target extension     a package around the C, for pip
   kinsym derive ur5 --json                 the result for a program
   kinsym show ur5                          the equations only
   kinsym explain ur5 theta3                how theta3 is found, and why so
+  kinsym latex --lecture                   the chapter of the lecture, in LaTeX
   kinsym plot ur5 --branches               all solutions of a pose, drawn
-  kinsym workspace puma560                 a map of what it reaches, data
+  kinsym report ur5                        one page: arm, equations, code
+  kinsym workspace puma560                 a map of what the arm reaches
   kinsym new my_robot --convention paul    a robot file to start from
   kinsym import arm.urdf --tip-link tool0  a robot file from URDF
   kinsym robots wrist                      the gallery, or a part of it

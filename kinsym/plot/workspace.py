@@ -100,13 +100,12 @@ def _in_plane(ax: Any, result: Workspace, *, unit: str, own: bool) -> None:
         canvas.scale(ax, image, _SCALE, own=own)
     else:
         handles.insert(0, Patch(color=to_hex(_MAP(_PLAIN)), label=_inside_label(result)))
+    base = result.base[[across, up]]
     if result.border and (across, up) == (0, 1):
         for radius in result.border:
-            ax.add_patch(
-                Circle(result.base[[across, up]], radius, fill=False, color=style.INK, linewidth=1.4, zorder=4)
-            )
+            centre = (float(base[0]), float(base[1]))
+            ax.add_patch(Circle(centre, radius, fill=False, color=style.INK, linewidth=1.4, zorder=4))
         handles.append(Line2D([], [], color=style.INK, linewidth=1.4, label="border in closed form"))
-    base = result.base[[across, up]]
     ax.plot(*base, marker="^", color=style.X, markeredgecolor="white", markersize=9, linestyle="none", zorder=5)
     handles.append(Line2D([], [], marker="^", color=style.X, markeredgecolor="white", linestyle="none", label="base"))
     canvas.legend(ax, handles, own=own, columns=4)

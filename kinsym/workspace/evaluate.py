@@ -113,7 +113,7 @@ def reached(arm: LiveArm, points: ArrayLike, rotations: ArrayLike, *, limits: bo
         poses[..., :3, :3] = turns
         poses[..., :3, 3] = part[:, None]
         poses[..., 3, 3] = 1.0
-        q, valid = arm.ik(poses)
+        q, valid = arm.ik_batch(poses)
         if limits:
             valid = valid & _inside(arm, q)
         found[start : start + step] = valid.any(axis=-1)

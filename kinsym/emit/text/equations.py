@@ -175,7 +175,9 @@ def relation(parts: tuple[Tree, str, Tree], page: Page) -> str:
     return f"{page.formula(left)} {sign} {page.formula(right)}"
 
 
-def _step(step: Step, before: Step | None, page: Page) -> str:
+def step_text(step: Step, before: Step | None, page: Page | None = None) -> str:
+    """One step with all that a reader needs to repeat it; ``before`` is the one before it."""
+    page = page or Page()
     branches = f", {counted(step.branches, 'branch')}" if step.branches > 1 else ""
     lines = [f"  {step.number}. {step.unknown}: {rule_title(step.rule)}{branches}"]
     if step.why:
@@ -226,7 +228,7 @@ def derivation_steps(derivation: Derivation, plan: Plan, page: Page | None = Non
         if isinstance(item, Window):
             parts.append(window(windows[item.left, item.right], letter, page))
         else:
-            parts.append(_step(item, before, page))
+            parts.append(step_text(item, before, page))
             before = item
     return "\n\n".join([*parts, "\n".join(names)] if names else parts)
 
@@ -289,16 +291,22 @@ def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, f
     sections.append(f"{heading('Forward kinematics')}\n{forward_kinematics(derivation, page)}")
     if full and not derivation.long:
         sections.append(f"{heading('Jacobian')}\n{jacobian(derivation.forward, derivation.jacobian, page)}")
-    if derivation.nominal is not None:
-        sections += _beside(derivation.nominal, page)
-    if derivation.general is not None:
-        title = "Inverse kinematics" if derivation.nominal is None else IN_DOUBT
-        sections.append(f"{heading(title)}\n{general_steps(derivation, derivation.general, page)}")
-        sections.append(f"{heading('Solutions')}\n  at most {counted(derivation.general.maximum, 'solution')}")
-    sections += _closed_form(derivation, "Inverse kinematics", page)
+    sections += inverse_sections(derivation, page)
     poses = singular_poses(derivation.singular, derivation.families, page)
     sections.append(f"{heading('Singular poses')}\n{poses}")
     return "\n\n".join(sections) + "\n"
+
+
+def inverse_sections(derivation: Derivation, page: Page | None = None) -> Iterator[str]:
+    """The inverse kinematics: the nominal arm if there is one, the steps and the solutions."""
+    page = page or Page()
+    if derivation.nominal is not None:
+        yield from _beside(derivation.nominal, page)
+    if derivation.general is not None:
+        title = "Inverse kinematics" if derivation.nominal is None else IN_DOUBT
+        yield f"{heading(title)}\n{general_steps(derivation, derivation.general, page)}"
+        yield f"{heading('Solutions')}\n  at most {counted(derivation.general.maximum, 'solution')}"
+    yield from _closed_form(derivation, "Inverse kinematics", page)
 
 
 def _closed_form(derivation: Derivation, title: str, page: Page) -> Iterator[str]:
