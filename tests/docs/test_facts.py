@@ -7,13 +7,20 @@ from pathlib import Path
 
 import pytest
 
+from kinsym.deriving import derive
 from kinsym.emit import TARGETS
 from kinsym.emit.program import build_schedule
 from kinsym.emit.source.ikfast import TYPES, VERSION
 from kinsym.robot import load
+from kinsym.robot.expressions import parse
+from kinsym.robot.files import KEYS
+from kinsym.robot.fixed import HOME_KEYS, TRANSFORM_KEYS
+from kinsym.robot.locking import lock
+from kinsym.robot.model import Convention, Task
+from kinsym.robot.rows import COLUMNS, KINDS, MOST_JOINTS, MOST_ROWS, ROW_KEYS, SCREW_COLUMNS
 from kinsym.robot.snapping import EXACT
 from tests.arms import derivation
-from tests.docs.reading import ROOT, blocks
+from tests.docs.reading import ROOT, blocks, inline_code
 
 
 def page(name: str) -> str:
@@ -50,3 +57,29 @@ def test_rounding(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     Path("arm.urdf").write_text(text_of("urdf.md", "xml"), encoding="utf-8")
     assert str(load("arm.urdf", tip_link="hook").joints[0].alpha) == "pi/2"
     assert float(load("arm.urdf", tip_link="hook", snapping=EXACT).joints[0].alpha or 0) == 1.5708
+
+
+def test_robot_files() -> None:
+    """docs/robot_file.md has every key, convention, task and kind of joint, and the cells of its table can be read."""
+    named = {code.strip('["]') for code in inline_code(page("robot_file.md"))}
+    keys = (*KEYS, *ROW_KEYS, *COLUMNS, *SCREW_COLUMNS, *HOME_KEYS, *TRANSFORM_KEYS, *KINDS)
+    assert {*keys, *(item.value for item in (*Convention, *Task))} <= named
+    limits = f"{MOST_JOINTS} joints may move, in up to {MOST_ROWS} rows"
+    assert limits in page("robot_file.md").replace("\n", " ")
+    rows = re.search(r"\| cell \| is \|\n\|---\|---\|\n((?:\|.*\n)+)", page("robot_file.md"))
+    assert rows
+    cells = re.findall(r"`([^`]+)`", rows[1])
+    assert len(cells) >= 9
+    for cell in cells:
+        parse(cell.strip('"'))
+
+
+def test_solvers() -> None:
+    """docs/solvers.md names functions that there are, in C and in Python."""
+    locked = build_schedule(derive(lock(load("kuka_iiwa"), {"theta3": None})))
+    header, module = TARGETS["c"](locked)[f"{locked.name}.h"], TARGETS["numpy"](locked)[f"{locked.name}.py"]
+    for code in inline_code(page("solvers.md")):
+        if found := re.fullmatch(r"NAME(_\w+)", code):
+            assert f" {locked.name}{found[1]}" in header, code
+        elif found := re.fullmatch(r"(\w+)\((?:q|T)(?:, q0)?\)", code):
+            assert f"def {found[1]}(" in module, code
