@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 import shlex
 import shutil
+import signal
 import subprocess
 from pathlib import Path
 
@@ -31,7 +32,10 @@ _LINES = 20
 
 def find_compiler() -> str | None:
     """The path of a C compiler: ``$CC`` if it names a program, else cc, gcc or clang; None if there is none."""
-    named = shlex.split(os.environ.get("CC", ""))
+    try:
+        named = shlex.split(os.environ.get("CC", ""))
+    except ValueError:  # a quotation mark without its partner
+        named = []
     for candidate in [*named[:1], "cc", "gcc", "clang"]:
         path = shutil.which(candidate)
         if path:
@@ -71,9 +75,30 @@ def compile_shared(
 
 
 def _run(command: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
+    """Run a compiler to its end, or end it together with all that it has started: it is a group of its own."""
     try:
-        return subprocess.run(
-            command, cwd=folder, capture_output=True, text=True, errors="replace", timeout=_SECONDS, check=False
-        )
+        with subprocess.Popen(
+            command,
+            cwd=folder,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            errors="replace",
+            start_new_session=True,
+        ) as process:
+            try:
+                out, err = process.communicate(timeout=_SECONDS)
+            except BaseException:  # Ctrl-C above all
+                _end(process)
+                raise
     except (OSError, subprocess.TimeoutExpired) as error:
         raise CheckFailed(f"the compiler {Path(command[0]).name} could not be run: {error}") from error
+    return subprocess.CompletedProcess(command, process.returncode, out, err)
+
+
+def _end(process: subprocess.Popen[str]) -> None:
+    try:
+        os.killpg(process.pid, signal.SIGKILL)
+    except (AttributeError, ProcessLookupError):  # no groups on this platform, or it ended by itself
+        process.kill()

@@ -27,10 +27,13 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace, screen: Screen) -> int:
     """Check every robot whose report lies in the folder, and write its report anew."""
     from kinsym.check.report import SUFFIX
+    from kinsym.write import put_back
 
     folder = Path(options.folder)
     if not folder.is_dir():
         raise OutputError(f"{folder} is no folder. Give one that kinsym derive has written.")
+    if put_back(folder):
+        screen.warn(f"a run that was interrupted in {folder} is undone: the files are those from before it.")
     reports = sorted(path for path in folder.glob("*" + SUFFIX) if path.is_file())
     if not reports:
         raise OutputError(f"{folder} holds no *{SUFFIX}. Give a folder that kinsym derive has written.")
