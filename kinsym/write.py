@@ -46,24 +46,30 @@ def check_place(folder: Path, names: Iterable[str], *, anything: bool = False) -
         raise OutputError("the name of the folder holds a zero byte. Choose another with --output.")
     try:
         if folder.exists() and not folder.is_dir():
-            raise OutputError(f"{folder} is a file, so no folder can be made there. Choose another with --output.")
+            raise OutputError(
+                f"{_shown(folder)} is a file, so no folder can be made there. Choose another with --output."
+            )
         if not folder.exists():
             parent = next((above for above in folder.absolute().parents if above.exists()), Path("/"))
             if not parent.is_dir():
-                raise OutputError(f"{parent} is a file, so {folder} cannot be made. Choose another with --output.")
+                raise OutputError(
+                    f"{_shown(parent)} is a file, so {_shown(folder)} cannot be made. Choose another with --output."
+                )
             if not _writable(parent):
-                raise OutputError(f"{parent} does not allow writing. Choose another folder with --output.")
+                raise OutputError(f"{_shown(parent)} does not allow writing. Choose another folder with --output.")
             return
         if not _writable(folder):
-            raise OutputError(f"{folder} does not allow writing. Choose another folder with --output.")
+            raise OutputError(f"{_shown(folder)} does not allow writing. Choose another folder with --output.")
         for name in names:
             _check_way(folder, name)
         other = None if anything else foreign(folder, names)
     except OSError as error:
-        raise OutputError(f"{folder} cannot be used: {_reason(error)}. Choose another with --output.") from error
+        raise OutputError(
+            f"{_shown(folder)} cannot be used: {_reason(error)}. Choose another with --output."
+        ) from error
     if other is not None:
         raise OutputError(
-            f"{other} was not written by kinsym, so it is not replaced. "
+            f"{_shown(other)} was not written by kinsym, so it is not replaced. "
             "Rename it, or choose another folder with --output."
         )
 
@@ -80,7 +86,9 @@ def write_set(folder: Path, files: Mapping[str, str], *, anything: bool = False)
         while not _written(folder, files):
             pass
     except OSError as error:
-        raise OutputError(f"{folder} could not be written: {_reason(error)}. Nothing there was changed.") from error
+        raise OutputError(
+            f"{_shown(folder)} could not be written: {_reason(error)}. Nothing there was changed."
+        ) from error
     return tuple(folder / name for name in files)
 
 
@@ -94,7 +102,7 @@ def put_back(folder: Path) -> bool:
             return known and sweep(folder)
     except OSError as error:
         raise OutputError(
-            f"what an interrupted run has left in {folder} cannot be undone: {_reason(error)}. "
+            f"what an interrupted run has left in {_shown(folder)} cannot be undone: {_reason(error)}. "
             "Mend that, and run kinsym again."
         ) from error
 
@@ -138,17 +146,19 @@ def _check_way(folder: Path, name: str) -> None:
     """OutputError if a file is in the way of a sub-folder, a folder in the way of the file, or one cannot be used."""
     path = folder / name
     if path.is_dir():
-        raise OutputError(f"{path} is a folder, so the file cannot be written. Rename the folder.")
+        raise OutputError(f"{_shown(path)} is a folder, so the file cannot be written. Rename the folder.")
     for above in PurePosixPath(name).parents[:-1]:
         place = folder / above
         if place.is_symlink():
             raise OutputError(
-                f"{place} is a symbolic link, which is not followed. Rename it, or choose another --output."
+                f"{_shown(place)} is a symbolic link, which is not followed. Rename it, or choose another --output."
             )
         if place.exists() and not place.is_dir():
-            raise OutputError(f"{place} is a file, so no folder can be made there. Choose another with --output.")
+            raise OutputError(
+                f"{_shown(place)} is a file, so no folder can be made there. Choose another with --output."
+            )
         if place.exists() and not _writable(place):
-            raise OutputError(f"{place} does not allow writing. Choose another folder with --output.")
+            raise OutputError(f"{_shown(place)} does not allow writing. Choose another folder with --output.")
 
 
 def _writable(folder: Path) -> bool:
@@ -157,3 +167,9 @@ def _writable(folder: Path) -> bool:
 
 def _reason(error: OSError) -> str:
     return (error.strerror or str(error)).lower()
+
+
+def _shown(path: Path) -> str:
+    """A path as messages name it: on one line, and cut where it is no path that a system knows."""
+    text = str(path)
+    return (text if text.isprintable() else ascii(text)[1:-1])[:1000]
