@@ -69,7 +69,9 @@ def _difference(name: str, expected: str, found: str) -> Iterator[str]:
 
 def versions(interpreter: Path) -> str:
     """The installed libraries in one line."""
-    code = "import sys; from importlib.metadata import version; print(*(f'{name} {version(name)}' for name in sys.argv[1:]))"
+    code = (
+        "import sys, importlib.metadata as m; print(*(f'{name} {m.version(name)}' for name in sys.argv[1:]), sep=', ')"
+    )
     names = ("sympy", "mpmath", "numpy", "jinja2", "lxml", "python-flint")
     return subprocess.run([interpreter, "-c", code, *names], capture_output=True, text=True, check=True).stdout.strip()
 
