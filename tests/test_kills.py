@@ -86,6 +86,7 @@ def test_two_runs_into_one_folder(tmp_path: Path) -> None:
 
 COMPILER = """#!/bin/sh
 if [ "$1" = --version ]; then echo slow; exit; fi
+touch "$TMPDIR/half done"
 sleep 60 &
 echo $! > {mark}.part
 mv {mark}.part {mark}
@@ -121,6 +122,29 @@ def test_interrupted_while_the_compiler_runs(tmp_path: Path, group: bool) -> Non
     assert not is_alive(int(mark.read_text()))
     assert os.listdir(temporary) == []
     assert not out.exists()
+
+
+def test_interrupted_at_random_moments(tmp_path: Path) -> None:
+    """Wherever Ctrl-C meets a derivation with its checks: status 130, no traceback, no file."""
+    draw = random.Random(3)
+    for _ in range(5):
+        process = subprocess.Popen(
+            [sys.executable, "-m", "kinsym", "derive", "planar_rr", "-o", str(tmp_path / "out")],
+            cwd=ROOT,
+            env={**os.environ, "TMPDIR": str(tmp_path)},
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        assert process.stderr is not None
+        for _ in range(draw.randint(1, 5)):  # reading, deriving, writing, compiling, checking
+            process.stderr.readline()
+        time.sleep(draw.uniform(0.0, 0.2))
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=60)
+        assert process.returncode == 130
+        assert "Traceback" not in said
+        assert os.listdir(tmp_path) == []
 
 
 def is_alive(pid: int) -> bool:

@@ -10,7 +10,9 @@ import shlex
 import shutil
 import signal
 import subprocess
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 from kinsym.errors import CheckFailed
 
@@ -67,19 +69,23 @@ def compile_shared(
         raise CheckFailed("no C compiler was found. Install gcc or clang, or name one in the variable CC")
     source_dir, library = Path(source_dir), Path(out_dir).resolve() / f"{name}.so"
     command = [compiler, *flags, "-fPIC", "-shared", f"{name}.c", *more, "-o", str(library), "-lm"]
-    finished = _run(command, source_dir)
+    # What the compiler leaves when it is ended goes with the folder.
+    finished = _run(command, source_dir, {"TMPDIR": str(library.parent)})
     if finished.returncode != 0:
         said = "\n".join((finished.stderr or finished.stdout).splitlines()[:_LINES])
         raise CheckFailed(f"{name}.c does not compile with {Path(compiler).name}:\n{said}")
     return library
 
 
-def _run(command: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
+def _run(
+    command: list[str], folder: Path, environment: Mapping[str, str] = MappingProxyType({})
+) -> subprocess.CompletedProcess[str]:
     """Run a compiler to its end, or end it together with all that it has started: it is a group of its own."""
     try:
         with subprocess.Popen(
             command,
             cwd=folder,
+            env={**os.environ, **environment},
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
