@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
+from functools import lru_cache
 from itertools import combinations
 
 from kinsym.algebra.tree import Definition, Num, Prod, Sum, Sym, Tree, add, children, mul, negated, negative, symbols
@@ -20,23 +21,59 @@ def shared(line: StraightLine) -> StraightLine:
     """A straight line with repeated products and sums named, each where what it is made of is known."""
     names = [item.name for item in line.definitions]
     trees = [*(item.value for item in line.definitions), *line.outputs]
-    known: dict[str, Tree] = {}
-    for kind, pairs, replace in ((Prod, _factors, _without_factors), (Sum, _terms, _without_terms)):
-        word = "product" if kind is Prod else "sum"
+    written = len(trees)
+    given: list[str] = []
+    for word, join, pairs, replace in (
+        ("product", mul, _factors, _without_factors),
+        ("sum", add, _terms, _without_terms),
+    ):
+        tally = _Tally(Counter(pairs(tree)) for tree in trees)
         number = 0
-        while True:
-            counts = Counter(pair for tree in (*trees, *known.values()) for pair in pairs(tree))
-            best = max(counts, key=counts.__getitem__, default=None)
-            if best is None or counts[best] < 2:
-                break
+        while (best := tally.most()) is not None:
             number += 1
-            name = f"{word}{number}"
-            trees = [replace(tree, best, Sym(name)) for tree in trees]
-            known = {key: replace(tree, best, Sym(name)) for key, tree in known.items()}
-            known[name] = mul(*best) if kind is Prod else add(*best)
+            given.append(f"{word}{number}")
+            for index in tally.holding(best):
+                trees[index] = replace(trees[index], best, Sym(given[-1]))
+                tally.change(index, Counter(pairs(trees[index])))
+            trees.append(join(*best))
+            tally.append(Counter(pairs(trees[-1])))
+    known = dict(zip(given, trees[written:], strict=True))
     return StraightLine(
-        definitions=_placed(list(zip(names, trees, strict=False)), known), outputs=tuple(trees[len(names) :])
+        definitions=_placed(list(zip(names, trees, strict=False)), known), outputs=tuple(trees[len(names) : written])
     )
+
+
+class _Tally:
+    """How often each pair occurs in a list of expressions, kept up while they change."""
+
+    def __init__(self, counts: Iterable[Counter[Pair]]) -> None:
+        self._counts: list[Counter[Pair]] = []
+        self._total: Counter[Pair] = Counter()
+        for count in counts:
+            self.append(count)
+
+    def append(self, count: Counter[Pair]) -> None:
+        """One more expression, with the pairs in it."""
+        self._counts.append(count)
+        self._total.update(count)
+
+    def change(self, index: int, count: Counter[Pair]) -> None:
+        """An expression has other pairs now."""
+        for pair, times in self._counts[index].items():
+            self._total[pair] -= times
+        self._counts[index] = count
+        self._total.update(count)
+
+    def holding(self, pair: Pair) -> list[int]:
+        """The expressions that have the pair."""
+        return [index for index, count in enumerate(self._counts) if pair in count]
+
+    def most(self) -> Pair | None:
+        """The pair that occurs most often, of equals the first; None if none occurs twice."""
+        often = max(self._total.values(), default=0)
+        if often < 2:
+            return None
+        return next(pair for count in self._counts for pair in count if self._total[pair] == often)
 
 
 def _factors(tree: Tree) -> Iterator[Pair]:
@@ -72,8 +109,14 @@ def _terms(tree: Tree) -> Iterator[Pair]:
 
 
 def _signed(pair: Pair) -> Pair:
-    first, second = sorted(pair, key=lambda term: repr(negated(term) if negative(term) else term))
+    first, second = sorted(pair, key=_order)
     return (negated(first), negated(second)) if negative(first) else (first, second)
+
+
+@lru_cache(maxsize=4096)
+def _order(term: Tree) -> str:
+    """What terms are sorted by: their text without a minus."""
+    return repr(negated(term) if negative(term) else term)
 
 
 def _without_terms(tree: Tree, pair: Pair, name: Sym) -> Tree:
@@ -95,13 +138,11 @@ def _parts(tree: Tree) -> tuple[Tree, ...]:
 
 def _inside(tree: Tree, change: Callable[[Tree], Tree]) -> Tree:
     """The same expression with its parts changed."""
-    match tree:
-        case Sum(terms):
-            return add(*map(change, terms))
-        case Prod(factors):
-            return mul(*map(change, factors))
-        case _:
-            return tree
+    parts = _parts(tree)
+    changed = tuple(map(change, parts))
+    if all(new is old for new, old in zip(changed, parts, strict=True)):
+        return tree
+    return add(*changed) if isinstance(tree, Sum) else mul(*changed)
 
 
 def _placed(definitions: list[tuple[str, Tree]], known: dict[str, Tree]) -> tuple[Definition, ...]:
