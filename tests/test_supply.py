@@ -38,6 +38,10 @@ ALLOWED = {
     ("kinsym/emit/live.py", "exec"): "the module that kinsym has just generated, of names that were let through",
     ("kinsym/emit/live.py", "compile"): "the same",
     ("kinsym/check/compiler.py", "subprocess.Popen"): "the C compiler, with a list of arguments",
+    (
+        "kinsym/emit/template_cache.py",
+        "marshal",
+    ): "compiled templates, in the folder of the package's own compiled code",
 }
 
 
@@ -62,7 +66,9 @@ def test_nothing_makes_text_into_code() -> None:
     met = set()
     for path in MODULES:
         tree, name = ast.parse(path.read_text(encoding="utf-8")), path.relative_to(ROOT).as_posix()
-        assert sorted(set(imports(tree)) & FORBIDDEN_MODULES) == [], name
+        for module in set(imports(tree)) & FORBIDDEN_MODULES:
+            assert (name, module) in ALLOWED, f"{name} imports {module}"
+            met.add((name, module))
         for called, call in calls(tree):
             keywords = {keyword.arg for keyword in call.keywords}
             assert "shell" not in keywords, name
