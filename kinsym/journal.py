@@ -34,7 +34,7 @@ from kinsym.errors import OutputError
 
 NEW, OLD, JOURNAL = "new", "old", "journal"
 PREFIX = ".kinsym-"
-PATIENCE = 10.0
+PATIENCE = 30.0
 LARGEST_JOURNAL = 1 << 20
 
 _PRIVATE = re.compile(re.escape(PREFIX) + r"[a-z0-9_]{8}")

@@ -64,20 +64,20 @@ def test_killed_at_random_moments(tmp_path: Path) -> None:
         with writer(tmp_path / "out", "run", 10**6) as process:
             assert process.stdout is not None
             process.stdout.readline()
+            while not (tmp_path / "out").exists():
+                time.sleep(0.01)
             time.sleep(draw.uniform(0.0, 0.1))
             process.kill()
-        if (tmp_path / "out").exists():
-            put_back(tmp_path / "out")
-            found = contents(tmp_path / "out")
-            assert sorted(found) in ([], ["a.c", "a.py", "x/b.py"])
-            assert len(set(found.values())) <= 1
-    assert len(found) == 3
+        put_back(tmp_path / "out")
+        found = contents(tmp_path / "out")
+        assert sorted(found) == ["a.c", "a.py", "x/b.py"]
+        assert len(set(found.values())) == 1
 
 
 def test_two_runs_into_one_folder(tmp_path: Path) -> None:
     """They take turns: neither fails, and the last set is whole."""
-    runs = [writer(tmp_path / "out", word, 30) for word in ("one", "two")]
-    assert [run.communicate(timeout=60) and run.returncode for run in runs] == [0, 0]
+    runs = [writer(tmp_path / "out", word, 15) for word in ("one", "two")]
+    assert [run.communicate(timeout=120) and run.returncode for run in runs] == [0, 0]
     found = contents(tmp_path / "out")
     assert len(found) == 3
     assert len(set(found.values())) == 1
@@ -116,8 +116,8 @@ def test_interrupted_while_the_compiler_runs(tmp_path: Path, group: bool) -> Non
     assert folder.stat().st_mode & 0o777 == 0o700
     start = time.monotonic()
     (os.killpg if group else os.kill)(process.pid, signal.SIGINT)
-    _, said = process.communicate(timeout=30)
-    assert time.monotonic() - start < 5
+    _, said = process.communicate(timeout=60)
+    assert time.monotonic() - start < 20
     assert (process.returncode, said) == (130, "")
     assert not is_alive(int(mark.read_text()))
     assert os.listdir(temporary) == []

@@ -7,16 +7,16 @@ from __future__ import annotations
 
 import sys
 
-import atheris
-
-with atheris.instrument_imports(include=["kinsym"]):
-    from tests.fuzz.targets import run
-
 SLOWEST, LARGEST = 10, 2048
 
 
 def main() -> None:
     """Fuzz until the time is up; libFuzzer ends the process."""
+    import atheris
+
+    with atheris.instrument_imports(include=["kinsym"]):
+        from tests.fuzz.targets import run
+
     reader, seconds, folder = sys.argv[1:]
     options = [
         f"-max_total_time={seconds}",
