@@ -34,7 +34,7 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
 
     folder = Path(options.folder)
     if not os.path.isdir(folder):  # False as well for what is no path at all
-        raise OutputError(f"{shown(options.folder)} is no folder. Give one that kinsym derive has written.")
+        raise OutputError(f"{shown(options.folder)[1:-1]} is no folder. Give one that kinsym derive has written.")
     if put_back(folder):
         screen.warn(f"a run that was interrupted in {folder} is undone: the files are those from before it.")
     reports = sorted(path for path in folder.glob("*" + SUFFIX) if path.is_file())

@@ -54,7 +54,7 @@ def locks_of(texts: list[str]) -> dict[str, str | None]:
                 remedy="Write, for example, --lock theta3 (an input) or --lock theta3=pi/4.",
             )
         if name in values:
-            raise RobotError(f"{shown(name)} is locked twice", where="--lock", remedy="Lock each joint once.")
+            raise RobotError(f"{shown(name)[1:-1]} is locked twice", where="--lock", remedy="Lock each joint once.")
         values[name] = value or None
     return values
 
@@ -88,6 +88,6 @@ def bindings_of(texts: list[str]) -> dict[str, Fraction]:
                 f"{shown(text)} is not NAME=VALUE", where="--bind", remedy="Write, for example, --bind a2=0.4318."
             )
         if name in values:
-            raise RobotError(f"{shown(name)} is bound twice", where="--bind", remedy="Bind each parameter once.")
+            raise RobotError(f"{shown(name)[1:-1]} is bound twice", where="--bind", remedy="Bind each parameter once.")
         values[name] = number(value, where=f"--bind {shown(name)[1:-1]}")
     return values

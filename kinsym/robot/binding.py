@@ -58,7 +58,7 @@ def bind(robot: Robot, values: Mapping[str, Fraction]) -> Robot:
         if name not in robot.parameters:
             has = ", ".join(robot.parameters) or "none"
             raise RobotError(
-                f"{robot.name} has no parameter {shown(name)}",
+                f"{robot.name} has no parameter {shown(name)[1:-1]}",
                 where=f"bind {shown(name)[1:-1]}",
                 remedy=f"{nearest(name, robot.parameters)}Its parameters: {has}.",
             )
