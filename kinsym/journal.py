@@ -87,14 +87,14 @@ def alone(folder: Path) -> Iterator[bool]:
         os.close(descriptor)
 
 
-def stage(place: Path, files: Mapping[str, str]) -> Path:
-    """A private folder in ``place`` with the texts (UTF-8, ``\\n`` line ends) under ``new``, on the disk."""
+def stage(place: Path, files: Mapping[str, str | bytes]) -> Path:
+    """A private folder in ``place`` with the texts (UTF-8, ``\\n`` line ends) or pictures under ``new``, on disk."""
     private = Path(tempfile.mkdtemp(prefix=PREFIX, dir=place))
     try:
-        for name, text in files.items():
+        for name, content in files.items():
             target = private / NEW / name
             target.parent.mkdir(parents=True, exist_ok=True)
-            _write(target, text)
+            _write(target, content)
         _sync_below(private)
     except BaseException:
         discard(private)
@@ -262,9 +262,9 @@ def _digest(path: Path) -> str | None:
         return None
 
 
-def _write(path: Path, text: str) -> None:
-    with path.open("x", encoding="utf-8", newline="\n") as file:
-        file.write(text)
+def _write(path: Path, content: str | bytes) -> None:
+    with path.open("xb") as file:
+        file.write(content.encode() if isinstance(content, str) else content)
         file.flush()
         os.fsync(file.fileno())
 

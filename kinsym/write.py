@@ -74,8 +74,8 @@ def check_place(folder: Path, names: Iterable[str], *, anything: bool = False) -
         )
 
 
-def write_set(folder: Path, files: Mapping[str, str], *, anything: bool = False) -> tuple[Path, ...]:
-    """Write every text (UTF-8, ``\\n`` line ends) into ``folder``, made if need be; the paths in order.
+def write_set(folder: Path, files: Mapping[str, str | bytes], *, anything: bool = False) -> tuple[Path, ...]:
+    """Write every text (UTF-8, ``\\n`` line ends) or picture into ``folder``, made if need be; the paths in order.
 
     With ``anything`` the user named the very files, and they are replaced whoever wrote them. Raises OutputError; then
     the folder is as it was before.
@@ -107,7 +107,7 @@ def put_back(folder: Path) -> bool:
         ) from error
 
 
-def _written(folder: Path, files: Mapping[str, str]) -> bool:
+def _written(folder: Path, files: Mapping[str, str | bytes]) -> bool:
     """Write the set in one of the two ways; False if the folder came or went while its lock was awaited."""
     absolute = Path(os.path.realpath(folder))
     missing = [path for path in (absolute, *absolute.parents) if not path.exists()]
@@ -124,7 +124,7 @@ def _written(folder: Path, files: Mapping[str, str]) -> bool:
     return True
 
 
-def _appear(folder: Path, top: Path, files: Mapping[str, str]) -> None:
+def _appear(folder: Path, top: Path, files: Mapping[str, str | bytes]) -> None:
     """Make a new folder with all its files; ``top`` is the outermost of the folders that are missing."""
     way = folder.relative_to(top.parent).as_posix()
     private = stage(top.parent, {f"{way}/{name}": text for name, text in files.items()})
@@ -134,7 +134,7 @@ def _appear(folder: Path, top: Path, files: Mapping[str, str]) -> None:
         discard(private)
 
 
-def _replace(folder: Path, files: Mapping[str, str]) -> None:
+def _replace(folder: Path, files: Mapping[str, str | bytes]) -> None:
     private = stage(folder, files)
     try:
         move(private, folder, list(files))

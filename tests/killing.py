@@ -145,9 +145,7 @@ def full_disk(folder: Path) -> Counter[str]:
 
         def hook(event: str, arguments: tuple[object, ...]) -> None:
             nonlocal left
-            making = (
-                event == "open" and isinstance(arguments[1], str) and arguments[1] != "r" and "b" not in arguments[1]
-            )
+            making = event == "open" and isinstance(arguments[1], str) and "x" in arguments[1]
             if making or event in ("os.mkdir", "os.link", "shutil.copyfile"):
                 left -= 1
                 if left <= 0:

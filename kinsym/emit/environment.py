@@ -36,8 +36,8 @@ def template_folder() -> Path:
 
 
 @cache
-def environment(delimiters: Delimiters = Delimiters()) -> Environment:
-    """The environment for a set of delimiters, made once."""
+def environment(delimiters: Delimiters = Delimiters(), *, autoescape: bool = False) -> Environment:
+    """The environment for a set of delimiters, made once; a page escapes what no template calls safe."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined  # slow to import, needed only to emit
 
     from kinsym.emit.template_cache import TemplateCache
@@ -49,7 +49,7 @@ def environment(delimiters: Delimiters = Delimiters()) -> Environment:
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
-        autoescape=False,
+        autoescape=autoescape,
         block_start_string=delimiters.block[0],
         block_end_string=delimiters.block[1],
         variable_start_string=delimiters.variable[0],
