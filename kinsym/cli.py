@@ -17,6 +17,7 @@ from kinsym.command import (
     completion,
     derive,
     explain,
+    exporting,
     importing,
     latex,
     lecture,
@@ -41,6 +42,7 @@ COMMANDS = {
     "workspace": workspace,
     "new": new,
     "import": importing,
+    "export": exporting,
     "robots": robots,
     "check": check,
     "lecture": lecture,
@@ -60,6 +62,7 @@ examples:
   kinsym derive kuka_iiwa --lock theta3    seven joints: theta3 is an input
   kinsym derive arm.urdf --tip-link tool0  a chain of a URDF file
   kinsym derive ur5 --target extension     a package around the C, for pip
+  kinsym derive ur5 --target ikfast        what MoveIt's generator reads
   kinsym derive ur5 --json                 the result for a program
   kinsym show ur5                          the equations only
   kinsym explain ur5 theta3                how theta3 is found, and why so
@@ -69,6 +72,7 @@ examples:
   kinsym workspace puma560                 a map of what the arm reaches
   kinsym new my_robot --convention paul    a robot file to start from
   kinsym import arm.urdf --tip-link tool0  a robot file from URDF
+  kinsym export ur5 --to urdf              and the other way
   kinsym robots wrist                      the gallery, or a part of it
   kinsym check out                         the checks again, on files in ./out
   kinsym lecture                           the lecture's equations, compared

@@ -19,19 +19,18 @@ from kinsym.kinematics.chain import build_chain
 from kinsym.kinematics.convert import convert
 from kinsym.kinematics.forward import forward_kinematics
 from kinsym.live import LiveArm, live
+from kinsym.poses import Pose, as_poses
 from kinsym.robot.model import Convention, Matrix, Robot
 from kinsym.robot.rigid import check_rotation
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
     from kinsym.live import Floats
 
 _ORTHOGONAL = 1e-6
 """How far a rotation may be from one, the accuracy that the generated code asks for as well."""
 
 
-def tool_in_station(wrist: ArrayLike, *, station: ArrayLike | None = None, tool: ArrayLike | None = None) -> Floats:
+def tool_in_station(wrist: Pose, *, station: Pose | None = None, tool: Pose | None = None) -> Floats:
     """T_S_T (..., 4, 4) of the wrist T_B_W (..., 4, 4), with the station T_B_S and the tool T_W_T (4, 4).
 
     A station or a tool that is left out coincides with the base or the wrist. Raises :class:`RobotError` for what is
@@ -48,7 +47,7 @@ def tool_in_station(wrist: ArrayLike, *, station: ArrayLike | None = None, tool:
     return result
 
 
-def wrist_at_goal(goal: ArrayLike, *, station: ArrayLike | None = None, tool: ArrayLike | None = None) -> Floats:
+def wrist_at_goal(goal: Pose, *, station: Pose | None = None, tool: Pose | None = None) -> Floats:
     """T_B_W (..., 4, 4) that brings the tool to the goal T_S_G (..., 4, 4): T_B_S T_S_G T_W_T^-1."""
     pose = _pose(goal, "the goal T_S_G")
     result: Floats = _fixed(station, "the station T_B_S") @ pose @ _inverse(_fixed(tool, "the tool T_W_T"))
@@ -57,10 +56,10 @@ def wrist_at_goal(goal: ArrayLike, *, station: ArrayLike | None = None, tool: Ar
 
 def solve_tool_at_goal(
     robot: Robot | LiveArm,
-    goal: ArrayLike,
+    goal: Pose,
     *,
-    station: ArrayLike | None = None,
-    tool: ArrayLike | None = None,
+    station: Pose | None = None,
+    tool: Pose | None = None,
     values: Mapping[str, float] | None = None,
 ) -> Floats:
     """All joint vectors (m, n) with the tool frame at the goal T_S_G (4, 4), angles in radians; m = 0 if out of reach.
@@ -129,7 +128,7 @@ def _check_cells(matrix: Matrix, what: str, robot: Robot) -> None:
         raise RobotError(f"{taken[0]} is a joint variable", where=f"{robot.name}, {what}", remedy="Take another name.")
 
 
-def _fixed(matrix: ArrayLike | None, what: str) -> Floats:
+def _fixed(matrix: Pose | None, what: str) -> Floats:
     import numpy as np
 
     if matrix is None:
@@ -140,16 +139,11 @@ def _fixed(matrix: ArrayLike | None, what: str) -> Floats:
     return pose
 
 
-def _pose(matrix: ArrayLike, what: str) -> Floats:
+def _pose(matrix: Pose, what: str) -> Floats:
     """An array of poses; NaN fails every comparison and is refused as well."""
     import numpy as np
 
-    try:
-        pose: Floats = np.asarray(matrix, dtype=float)
-    except (TypeError, ValueError) as error:
-        raise RobotError(f"{what} is no matrix of numbers: {error}") from None
-    if pose.shape[-2:] != (4, 4):
-        raise RobotError(f"{what} has the shape {pose.shape}", remedy="A pose has the shape (4, 4).")
+    pose = as_poses(matrix, what)
     rotation = pose[..., :3, :3]
     off = np.abs(rotation @ np.swapaxes(rotation, -1, -2) - np.eye(3)).max(axis=(-1, -2))
     good = (off <= _ORTHOGONAL) & (np.linalg.det(np.nan_to_num(rotation)) > 0.0)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from kinsym.display import Displayed
 from kinsym.errors import RobotError
+from kinsym.poses import Pose, as_poses
 from kinsym.robot.model import Robot
 
 if TYPE_CHECKING:
@@ -123,25 +124,24 @@ class LiveArm:
         result: Floats = self.module.jacobian(q, **self.values)
         return result
 
-    def ik(self, pose: ArrayLike, *, reference: ArrayLike | None = None, **inputs: float) -> Floats:
+    def ik(self, pose: Pose, *, reference: ArrayLike | None = None, **inputs: float) -> Floats:
         """All solutions (m, n) of one pose (4, 4); a joint that is free takes its value in ``reference`` (n,)."""
-        result: Floats = self.module.ik(pose, reference=reference, **self.values, **self._inputs(inputs))
+        result: Floats = self.module.ik(as_poses(pose), reference=reference, **self.values, **self._inputs(inputs))
         return result
 
-    def ik_batch(
-        self, poses: ArrayLike, *, reference: ArrayLike | None = None, **inputs: ArrayLike
-    ) -> tuple[Floats, Bools]:
+    def ik_batch(self, poses: Pose, *, reference: ArrayLike | None = None, **inputs: ArrayLike) -> tuple[Floats, Bools]:
         """All solutions (..., S, n) of poses (..., 4, 4), and which of them there are (..., S)."""
-        q, valid = self.module.ik_batch(poses, reference=reference, **self.values, **self._inputs(inputs))
+        q, valid = self.module.ik_batch(as_poses(poses), reference=reference, **self.values, **self._inputs(inputs))
         return q, valid
 
-    def solve(self, pose: ArrayLike, *, reference: ArrayLike | None = None, **inputs: float) -> Solutions:
+    def solve(self, pose: Pose, *, reference: ArrayLike | None = None, **inputs: float) -> Solutions:
         """The solutions of one pose (4, 4) with their branches and marks; what is no pose raises nothing."""
-        return self._named(self.module.solve(pose, reference=reference, **self.values, **self._inputs(inputs)))
+        given = {**self.values, **self._inputs(inputs)}
+        return self._named(self.module.solve(as_poses(pose), reference=reference, **given))
 
     def within(
         self,
-        pose: ArrayLike,
+        pose: Pose,
         *,
         limits: ArrayLike | None = None,
         reference: ArrayLike | None = None,
@@ -149,11 +149,11 @@ class LiveArm:
     ) -> Solutions:
         """The solutions inside the limits (n, 2) of the joints, default those of the table, in all their windings."""
         given = {**self.values, **self._inputs(inputs)}
-        return self._named(self.module.within(pose, limits=limits, reference=reference, **given))
+        return self._named(self.module.within(as_poses(pose), limits=limits, reference=reference, **given))
 
     def nearest(
         self,
-        pose: ArrayLike,
+        pose: Pose,
         reference: ArrayLike,
         *,
         weights: ArrayLike | None = None,
@@ -162,7 +162,7 @@ class LiveArm:
     ) -> Floats | None:
         """The solution (n,) nearest to a joint vector over all windings inside the limits, None if there is none."""
         given = {**self.values, **self._inputs(inputs)}
-        result: Floats | None = self.module.nearest(pose, reference, weights=weights, limits=limits, **given)
+        result: Floats | None = self.module.nearest(as_poses(pose), reference, weights=weights, limits=limits, **given)
         return result
 
     @property

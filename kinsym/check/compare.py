@@ -13,9 +13,10 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from kinsym.check.cpp import hold_ikfast
 from kinsym.check.examination import Examination
 from kinsym.check.ledger import Ledger
-from kinsym.check.poses import Counts, draws, lengths_of
+from kinsym.check.poses import UNIFORM, Counts, draws, lengths_of
 from kinsym.check.report import Check
 from kinsym.check.sources import load
 
@@ -70,6 +71,10 @@ def compare(
                 ledger=ledger,
             )
             examination.run()
+            if loaded.ikfast is not None and number == 0:  # the choice that is the table's, which it holds
+                rows = examination.samples.of(UNIFORM)
+                known, reached = examination.q[rows], examination.poses[rows]
+                hold_ikfast(ledger, loaded.ikfast, examination.judge, poses=reached, q=known)
             poses.update(examination.poses_by_kind())
             solutions.update(examination.solution_counts)
         return Findings(

@@ -59,6 +59,7 @@ def compile_shared(
     compiler: str | None = None,
     flags: tuple[str, ...] = FLAGS,
     more: tuple[str, ...] = (),
+    suffix: str = ".c",
 ) -> Path:
     """Compile ``NAME.c`` of a folder, and ``more`` sources there, to a shared library in another and return its path.
 
@@ -68,12 +69,12 @@ def compile_shared(
     if compiler is None:
         raise CheckFailed("no C compiler was found. Install gcc or clang, or name one in the variable CC")
     source_dir, library = Path(source_dir), Path(out_dir).resolve() / f"{name}.so"
-    command = [compiler, *flags, "-fPIC", "-shared", f"{name}.c", *more, "-o", str(library), "-lm"]
+    command = [compiler, *flags, "-fPIC", "-shared", f"{name}{suffix}", *more, "-o", str(library), "-lm"]
     # What the compiler leaves when it is ended goes with the folder.
     finished = _run(command, source_dir, {"TMPDIR": str(library.parent)})
     if finished.returncode != 0:
         said = "\n".join((finished.stderr or finished.stdout).splitlines()[:_LINES])
-        raise CheckFailed(f"{name}.c does not compile with {Path(compiler).name}:\n{said}")
+        raise CheckFailed(f"{name}{suffix} does not compile with {Path(compiler).name}:\n{said}")
     return library
 
 

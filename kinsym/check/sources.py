@@ -7,6 +7,7 @@ import platform
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -14,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from kinsym.check.compiler import FLAGS, compile_shared, compiler_version, find_compiler
+from kinsym.check.cpp import IKFAST, CppSolver, IkfastSolver, build_header, build_ikfast, find_cpp_compiler
 from kinsym.check.extension import build, headers, load_package
 from kinsym.check.ledger import Ledger
 from kinsym.check.solvers import CSolver, ExtensionSolver, NumpySolver, Solver
@@ -34,6 +36,8 @@ class Sources:
     module: ModuleType | None
     library: ctypes.CDLL | None
     package: ModuleType | None
+    header: ctypes.CDLL | None
+    ikfast: IkfastSolver | None
     versions: dict[str, Any]
 
     def solvers(self, parameters: Mapping[str, Fraction]) -> list[Solver]:
@@ -45,6 +49,8 @@ class Sources:
             found.append(CSolver(self.library, self.schedule, parameters))
         if self.package is not None:
             found.append(ExtensionSolver(self.package, self.schedule, parameters))
+        if self.header is not None:
+            found.append(CppSolver(self.header, self.schedule, parameters))
         return found
 
 
@@ -59,7 +65,7 @@ def load(
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text, encoding="utf-8", newline="\n")
     versions: dict[str, Any] = {"python": platform.python_version(), "numpy": np.__version__}
-    module, library, package = None, None, None
+    module, library, package, header, ikfast = None, None, None, None, None
     if f"{schedule.name}.py" in sources:
         module = _imported(schedule, folder / f"{schedule.name}.py", NumpySolver.load, NUMPY, ledger)
     if f"{schedule.name}.c" in sources:
@@ -70,7 +76,39 @@ def load(
         place = _built(schedule, folder / f"{schedule.name}-solver", ledger, versions)
         if place is not None:
             package = _imported(schedule, place, load_package, EXTENSION, ledger)
-    return Sources(schedule=schedule, module=module, library=library, package=package, versions=versions)
+    if f"{schedule.name}.hpp" in sources:
+        progress("compiling the C++")
+        header = _compiled_cpp(CppSolver.name, partial(build_header, schedule, folder), ledger, versions)
+    if f"{schedule.name}_ikfast.cpp" in sources:
+        progress("compiling the ikfast solver")
+        solver = _compiled_cpp(IKFAST, partial(build_ikfast, schedule, folder), ledger, versions)
+        ikfast = None if solver is None else IkfastSolver(solver, schedule)
+    return Sources(
+        schedule=schedule,
+        module=module,
+        library=library,
+        package=package,
+        header=header,
+        ikfast=ikfast,
+        versions=versions,
+    )
+
+
+def _compiled_cpp(
+    subject: str, build_with: Callable[[str], ctypes.CDLL], ledger: Ledger, versions: dict[str, Any]
+) -> ctypes.CDLL | None:
+    compiler = find_cpp_compiler()
+    if compiler is None:
+        ledger.skip(COMPILE, subject, "no C++ compiler was found, so the C++ is written but not compiled")
+        return None
+    try:
+        versions["c++ compiler"] = compiler_version(compiler)
+        library = build_with(compiler)
+    except (CheckFailed, OSError) as error:
+        ledger.fail(COMPILE, subject, str(error))
+        return None
+    ledger.count(COMPILE, subject, 1, 0)
+    return library
 
 
 def _built(schedule: Schedule, folder: Path, ledger: Ledger, versions: dict[str, Any]) -> Path | None:

@@ -58,7 +58,8 @@ def _check_one(path: Path, screen: Screen) -> int:
     screen.stage(f"deriving {robot.name}")
     derivation = derive(robot)
     schedule = build_schedule(derivation)
-    today = rendered(derivation, schedule, tuple(FILES))
+    written = [target for target, paths in FILES.items() if any(path.format(robot.name) in recorded for path in paths)]
+    today = rendered(derivation, schedule, written)
     sources: dict[str, str] = {}
     missing, foreign, edited = [], [], []
     for name, text in today.items():

@@ -11,7 +11,7 @@ from kinsym.command.options import add_json, add_quiet, add_table
 if TYPE_CHECKING:
     from kinsym.command.screen import Screen
 
-TARGETS = ("numpy", "c", "latex", "extension")
+TARGETS = ("numpy", "c", "latex", "extension", "cpp", "ikfast")
 
 
 HELP = "derive, check and write a robot's kinematics"
@@ -25,7 +25,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "--target",
         action="append",
         choices=TARGETS,
-        help="write this only (repeatable; default: numpy, c and latex); extension is a Python package around the C",
+        help="write this only (repeatable; default: numpy, c and latex); extension is a Python package around the C,"
+        " cpp a header of C++, ikfast a solver for MoveIt and OpenRAVE",
     )
     command.add_argument("--no-check", action="store_true", help="write the files without checking them")
     add_quiet(command)

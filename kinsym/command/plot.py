@@ -58,7 +58,8 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
     with plain_style():
         content = rendered(_picture(robot, options, screen), kind_of(path))
     write({path: content})
-    screen.say(f"Written\n-------\n  {path}")
+    screen.heading("Written")
+    screen.say(f"  {path}")
     return 0
 
 
@@ -109,8 +110,13 @@ def _of_branch(arm: LiveArm, found: Any, branch: int) -> Floats:
 def _say(screen: Screen, shape: Linkage, q: Floats, head: str) -> None:
     import math
 
+    from kinsym.command.screen import filled
+
     values = [
         f"{name} = {math.degrees(value):.2f} deg" if kind == "R" else f"{name} = {value:.6g}"
         for name, kind, value in zip(shape.variables, shape.kinds, q, strict=True)
     ]
-    screen.say("\n".join([*([head] if head else []), "  " + ", ".join(values)]))
+    if head:
+        screen.say(head)
+    for line in filled(", ".join(values), screen.width - 2):
+        screen.say(f"  {line}")

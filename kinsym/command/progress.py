@@ -27,7 +27,7 @@ class Progress:
 
     def __init__(self, stream: TextIO, start: float) -> None:
         self._stream, self._start = stream, start
-        self._text, self._since = "", start
+        self._text, self._part, self._since = "", "", start
         self._drawn = False
         self._lock = threading.RLock()
         self._ended = threading.Event()
@@ -36,11 +36,15 @@ class Progress:
     def stage(self, text: str) -> None:
         """Show another text, its own time counted from now."""
         with self._lock:
-            self._text, self._since = text, time.monotonic()
+            self._text, self._part, self._since = text, "", time.monotonic()
             self._draw()
         if self._thread is None:
             self._thread = threading.Thread(target=self._run, name="progress", daemon=True)
             self._thread.start()
+
+    def part(self, text: str) -> None:
+        """How far the stage is, in place of its time."""
+        self._part = text
 
     def end(self) -> bool:
         """Stop for good and leave an empty line; whether there was anything to stop."""
@@ -71,8 +75,8 @@ class Progress:
 
     def _draw(self) -> None:
         now = time.monotonic()
-        line = f"[{now - self._start:5.1f} s] {self._text} ..."
-        if self._since > self._start and now - self._since >= 1:
+        line = f"[{now - self._start:5.1f} s] {self._text} {self._part or '...'}"
+        if not self._part and self._since > self._start and now - self._since >= 1:
             line += f" {now - self._since:.0f} s"
         room = columns(self._stream) - 1  # a full line would wrap and leave its first half behind
         self._write(_ERASE + line[:room])

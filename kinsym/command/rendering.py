@@ -19,6 +19,8 @@ FILES = {
         src/{0}/_arguments.py src/{0}/_arguments.pyi
         src/{0}/_core.pyi src/{0}/py.typed""".split()
     ),
+    "cpp": ("{0}.hpp",),
+    "ikfast": ("{0}_ikfast.cpp",),
 }
 #: What is written where nobody asks for a language.
 USUAL = ("numpy", "c", "latex")

@@ -48,6 +48,11 @@ class Screen:
         elif not self._quiet:
             self._to_error(f"{text} ...")
 
+    def part(self, text: str) -> None:
+        """How far the stage is, for a terminal alone: a log would fill with it."""
+        if self._progress is not None:
+            self._progress.part(text)
+
     @property
     def speaks(self) -> bool:
         """Whether what is said is printed: long texts need not be made otherwise."""

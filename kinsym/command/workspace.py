@@ -81,11 +81,9 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
     if keep.exists():
         screen.stage(f"going on with {keep}")
     screen.stage(f"evaluating {' x '.join(str(n) for n in question.shape if n > 1)} points")
-    bar = Bar(quiet=options.quiet)
-    try:
-        found = sweep(question, jobs=options.jobs, scheduler=options.scheduler, keep=keep, progress=bar)
-    finally:
-        bar.clear()
+    bar = Bar(screen.part)
+    found = sweep(question, jobs=options.jobs, scheduler=options.scheduler, keep=keep, progress=bar)
+    screen.stage("writing the files")
     files = {path: data(found, kind_of(path)) for path in paths if kind_of(path) in FORMATS}
     pictures = [path for path in paths if kind_of(path) in PICTURES]
     if pictures:
@@ -159,4 +157,6 @@ def _say(found: Workspace, paths: list[Path], unit: str, screen: Screen) -> None
     if found.border:
         radii = " and ".join(f"{radius:.6g}" for radius in found.border)
         screen.say(f"In closed form its border is the circle{'s' * (len(found.border) > 1)} of radius {radii}.")
-    screen.say("\n".join(["Written", "-------", *(f"  {path}" for path in paths)]))
+    screen.heading("Written")
+    for path in paths:
+        screen.say(f"  {path}")

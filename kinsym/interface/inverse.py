@@ -11,6 +11,7 @@ from kinsym.emit.prose.wording import rule_title
 from kinsym.emit.text.equations import inverse_sections, step_text
 from kinsym.interface.formulas import Formulas, Module
 from kinsym.inverse.plan import Step
+from kinsym.poses import Pose, as_poses
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -67,14 +68,14 @@ class InverseKinematics(Formulas):
 
     module: Module
 
-    def __call__(self, pose: ArrayLike, *, reference: ArrayLike | None = None, **parameters: float) -> Floats:
+    def __call__(self, pose: Pose, *, reference: ArrayLike | None = None, **parameters: float) -> Floats:
         """All solutions (m, n) of one pose (4, 4), angles in radians; m = 0 if it is out of reach.
 
         A joint that is free takes its value in ``reference`` (n,), default 0. Parameters without a value and locked
         joints that are inputs are given by their names. Raises TypeError where one is missing, ValueError for what is
         no pose.
         """
-        result: Floats = self.module().ik(pose, reference=reference, **parameters)
+        result: Floats = self.module().ik(as_poses(pose), reference=reference, **parameters)
         return result
 
     def text(self) -> str:

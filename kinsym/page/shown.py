@@ -105,7 +105,7 @@ def _posture(arm: LiveArm, shape: Linkage) -> Floats:
     for place, name in enumerate(shape.variables):
         if name in locked:
             tries[:, place] = arm.inputs[name] if locked[name] is None else locked[name]
-    _, valid = arm.ik(arm.fk(tries))
+    _, valid = arm.ik_batch(arm.fk(tries))
     counts = valid.sum(axis=-1)
     worth = np.round(_worth(arm, shape, tries), 3)
     result: Floats = tries[int(np.argmax(np.where(counts == counts.max(), worth, -np.inf)))]

@@ -14,11 +14,10 @@ from kinsym.live import LiveArm
 from kinsym.plot import canvas, flat, space, style
 from kinsym.plot.parts import Part, painted, parts
 from kinsym.plot.skeleton import axes_for
+from kinsym.poses import Pose
 from kinsym.skeleton import Linkage, Posture, linkage
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
     from kinsym.live import Floats
 
 _SAME = 1e-6
@@ -48,7 +47,7 @@ class Drawn:
 
 
 def branches(
-    arm: LiveArm, pose: ArrayLike, ax: Any = None, *, frames: bool = True, legend: bool = True, unit: str = ""
+    arm: LiveArm, pose: Pose, ax: Any = None, *, frames: bool = True, legend: bool = True, unit: str = ""
 ) -> Any:
     """Draw every solution of a pose (4, 4) in a colour of its own, and the frames of base and tool.
 
@@ -72,12 +71,9 @@ def branches(
     return ax
 
 
-def solutions(arm: LiveArm, shape: Linkage, pose: ArrayLike) -> tuple[Drawn, ...]:
+def solutions(arm: LiveArm, shape: Linkage, pose: Pose) -> tuple[Drawn, ...]:
     """The solutions of a pose in the order of branches, those that look alike together."""
-    try:
-        found = arm.solve(np.asarray(pose, dtype=float))
-    except (TypeError, ValueError) as error:
-        raise RobotError(f"the pose is none: {error}", where=arm.robot.name, remedy="Give a matrix (4, 4).") from None
+    found = arm.solve(pose)
     if not len(found.q):
         reason = "no pose: its rotation is none" if found.status == "not a pose" else "out of reach"
         raise RobotError(f"the pose is {reason}", where=arm.robot.name, remedy="Give another one.")

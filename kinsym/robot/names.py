@@ -148,6 +148,8 @@ def check_robot_name(name: str, *, where: str) -> str:
         fault = "is a module that the generated Python may need"
     if not fault and name.lower() in _C_HEADERS:
         fault = "is a header of C"
+    if not fault and name == "std":
+        fault = "is the namespace of C++'s library"
     if not fault and name.lower() in _WINDOWS_DEVICES:
         fault = "is not a file name on every system"
     if fault:

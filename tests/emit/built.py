@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -15,8 +16,11 @@ import pytest
 from kinsym.check.compiler import compile_shared, find_compiler
 from kinsym.emit import TARGETS
 from kinsym.emit.schedule import Schedule
+from kinsym.emit.source.core import FILES
 
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler")
+#: For a template that is rendered alone, without the macros of the header.
+PLAIN = replace(FILES, local="static", inlined="static inline")
 
 
 def numpy_module(schedule: Schedule) -> Any:

@@ -23,7 +23,7 @@ from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.needs import inverse_needs
 from kinsym.emit.symmetry import signs
 from kinsym.robot.loading import load
-from tests.emit.built import needs_compiler
+from tests.emit.built import PLAIN, needs_compiler
 from tests.emit.schedules import assign, planar_2r, puma
 
 HALF_TURN, OPPOSITE = "half_turn", "opposite"
@@ -113,7 +113,7 @@ def test_turns_stay_above_minus_pi_and_at_most_pi() -> None:
     exported = "".join(
         f"double ask_{name}(double x);\ndouble ask_{name}(double x) {{ return {name}(x); }}\n" for name in names
     )
-    source = "#include <math.h>\n" + render("c/helpers.c.jinja", functions=set(names)) + exported
+    source = "#include <math.h>\n" + render("c/helpers.c.jinja", functions=set(names), core=PLAIN) + exported
     with TemporaryDirectory() as folder:
         (Path(folder) / "turns.c").write_text(source, encoding="utf-8")
         library = ctypes.CDLL(str(compile_shared(folder, "turns", folder)))

@@ -13,7 +13,7 @@ import pytest
 from kinsym.emit.environment import render
 from kinsym.emit.source.c_batch import LANE_KERNELS
 from kinsym.emit.source.kernels import KERNELS
-from tests.emit.built import CLibrary, needs_compiler
+from tests.emit.built import PLAIN, CLibrary, needs_compiler
 from tests.emit.kernel_calls import MOST, T, marked_in_c
 from tests.emit.schedules import every_kernel
 
@@ -30,7 +30,7 @@ def _wrapper(rule: str) -> str:
     call = f"lane_{rule}({', '.join([*(f'in[{i}]' for i in range(len(kernel.inputs))), *outputs, 'mark'])})"
     body = f"return {call};" if kernel.branches > 1 else f"{call}; return 1.0;"
     head = f"double test_lane_{rule}(const double *in, double *out, double *mark)"
-    return render(f"c/batch/kernels/{rule}.c.jinja") + f"{head};\n{head} {{ {body} }}\n"
+    return render(f"c/batch/kernels/{rule}.c.jinja", core=PLAIN) + f"{head};\n{head} {{ {body} }}\n"
 
 
 @cache

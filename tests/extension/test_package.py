@@ -101,8 +101,9 @@ def test_check_looks_at_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
 def test_every_file_is_announced() -> None:
     """The names that are checked before a derivation are those that are written, for any robot."""
     for target in FILES:
-        found = derivation(PLANAR)
-        assert list(rendered(found, build_schedule(found), (target,))) == file_names(PLANAR, (target,))
+        name = "ur5" if target == "ikfast" else PLANAR  # which has no numbers, and ikfast needs them
+        found = derivation(name)
+        assert list(rendered(found, build_schedule(found), (target,))) == file_names(name, (target,))
 
 
 @pytest.mark.parametrize("name", ["core", "c", "src", "build", "py"])

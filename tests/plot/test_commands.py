@@ -16,6 +16,7 @@ import pytest
 
 from kinsym.cli import main
 from kinsym.command.bar import Bar
+from kinsym.command.screen import Screen
 from kinsym.command.workspace import KINDS, ORIENTATIONS
 from kinsym.plot.export import PICTURES
 from kinsym.workspace import evaluate, sweeping
@@ -204,6 +205,19 @@ def test_a_workspace_that_is_killed_goes_on(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["w.npz"]
 
 
+def test_the_bar(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A quarter of what was left took ten seconds, so that thirty remain; nothing is promised before."""
+    now = [100.0]
+    monkeypatch.setattr("kinsym.command.bar.time.monotonic", lambda: now[0])
+    shown: list[str] = []
+    bar = Bar(shown.append)
+    bar(20, 100)
+    now[0] += 10.0
+    bar(40, 100)
+    bar(100, 100)
+    assert shown == ["[###.............]  20 %", "[######..........]  40 %, 30 s left", "[################] 100 %"]
+
+
 class Terminal(io.StringIO):
     """A stream that says it is a terminal."""
 
@@ -211,25 +225,14 @@ class Terminal(io.StringIO):
         return True
 
 
-def test_the_bar_is_for_a_terminal() -> None:
-    for err, shown in ((Terminal(), True), (io.StringIO(), False)):
-        bar = Bar(err=err)
-        bar(0, 4)
-        bar(4, 4)
-        assert ("100 %" in err.getvalue()) is shown
-        bar.clear()
-        assert err.getvalue().endswith("\r") is shown
-    quiet = Terminal()
-    Bar(quiet=True, err=quiet)(1, 2)
-    assert quiet.getvalue() == ""
-
-
-def test_the_bar_says_how_long() -> None:
-    err = Terminal()
-    bar = Bar(err=err)
-    bar._start -= 10.0
-    bar(50, 100)
-    assert "s left" not in err.getvalue()  # nothing was done in this run yet
-    bar._start -= 10.0
-    bar(75, 100)
-    assert re.search(r"75 %  20 s left", err.getvalue())
+def test_the_bar_is_for_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TERM", "xterm")
+    for err, seen in ((Terminal(), True), (io.StringIO(), False)):
+        screen = Screen(err=err)
+        screen.stage("evaluating")
+        screen.part("[####]")
+        time.sleep(0.3)
+        screen.stage("writing")
+        screen.end()
+        assert ("evaluating [####]" in err.getvalue()) is seen
+        assert "writing [####]" not in err.getvalue()

@@ -64,7 +64,24 @@ def test_robot_names(name: str) -> None:
 
 @pytest.mark.parametrize(
     "name",
-    ["../x", "a/b", "a.b", ".", "", "class", "int", "math", "numpy", "kinsym", "Con", "_x", "x" * 41, "a\n", "ö"],
+    [
+        "../x",
+        "a/b",
+        "a.b",
+        ".",
+        "",
+        "class",
+        "int",
+        "std",
+        "math",
+        "numpy",
+        "kinsym",
+        "Con",
+        "_x",
+        "x" * 41,
+        "a\n",
+        "ö",
+    ],
 )
 def test_refused_robot_names(name: str) -> None:
     with pytest.raises(RobotError, match="Choose a plain name such as my_robot"):

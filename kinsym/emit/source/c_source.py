@@ -20,6 +20,7 @@ from kinsym.emit.source.c_batch import LANES, batch_of, waves
 from kinsym.emit.source.c_ending import c_ending
 from kinsym.emit.source.c_general import general_names
 from kinsym.emit.source.control import c_limits, control_names
+from kinsym.emit.source.core import FILES, Core
 from kinsym.emit.source.gate import gate_entries
 from kinsym.emit.source.kernels import kernels_used
 from kinsym.emit.source.marks import c_marks
@@ -58,6 +59,15 @@ class LanePrinter(CPrinter):
 
 def c_source(schedule: Schedule) -> dict[str, str]:
     """The header and the source of a robot, by file name."""
+    names = c_names(schedule)
+    return {
+        f"{schedule.name}.h": render("c/header.h.jinja", **names),
+        f"{schedule.name}.c": render("c/source.c.jinja", **names),
+    }
+
+
+def c_names(schedule: Schedule, core: Core = FILES) -> dict[str, Any]:
+    """What the templates of header and source read."""
     inverse, gate = inverse_needs(schedule), gate_entries(schedule.task)
     printer = CPrinter()
     statements = inverse_views(schedule, inverse, printer)
@@ -69,12 +79,13 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         **control_names(schedule),
         "lower_limits": c_limits(schedule, 0),
         "upper_limits": c_limits(schedule, 1),
+        "core": core,
         "name": schedule.name,
         "macro": schedule.name.upper(),
         "schedule": schedule,
         "complete": all(parameter.value is not None for parameter in schedule.parameters),
         "fields": [*(parameter.name for parameter in schedule.parameters), *schedule.inputs],
-        "heads": _heads(schedule, marking["ending"], inverse.marked, ending["word"]),
+        "heads": _heads(schedule, core, marking["ending"], inverse.marked, ending["word"]),
         "usable": _usable(schedule),
         "banner": [c_comment(line) for line in banner(schedule, shared=True)],
         **regular_names(schedule, printer),
@@ -85,7 +96,7 @@ def c_source(schedule: Schedule) -> dict[str, str]:
         "kernels": kernels_used(inverse.statements),
         "angles": "atan2" in ending["functions"],
         "gate": gate,
-        "functions": ending["functions"] | (batch.functions if batch else frozenset()),
+        "functions": ending["functions"] | (batch.functions if batch and core.whole else frozenset()),
         "batch": batch,
         "lanes": LANES,
         "waves": waves(schedule),
@@ -108,14 +119,11 @@ def c_source(schedule: Schedule) -> dict[str, str]:
             "functions": names["functions"] | {"wrap"},
         }
     if schedule.nominal:
-        names |= _nominal(schedule, schedule.nominal, printer)
-    return {
-        f"{schedule.name}.h": render("c/header.h.jinja", **names),
-        f"{schedule.name}.c": render("c/source.c.jinja", **names),
-    }
+        names |= _nominal(schedule, core, schedule.nominal, printer)
+    return names
 
 
-def _nominal(schedule: Schedule, nominal: NominalStarts, printer: Printer) -> dict[str, Any]:
+def _nominal(schedule: Schedule, core: Core, nominal: NominalStarts, printer: Printer) -> dict[str, Any]:
     """The closed form that is asked first, and the helpers that it calls."""
     starts = nominal_names(schedule, nominal, printer)
     pose = f"const double M[12], const {schedule.name}_params *p"
@@ -126,8 +134,8 @@ def _nominal(schedule: Schedule, nominal: NominalStarts, printer: Printer) -> di
         "starts": {
             **starts,
             "entries": _entries(starts["inverse"]),
-            "head": f"static int nominal_starts({pose}, double q[][6], int *doubt)",
-            "corrected_head": f"static int corrected({pose}, const arm *a, solutions *all)",
+            "head": f"{core.local} int nominal_starts({pose}, double q[][6], int *doubt)",
+            "corrected_head": f"{core.local} int corrected({pose}, const arm *a, solutions *all)",
         },
     }
 
@@ -179,8 +187,9 @@ def comment(text: str, depth: int) -> str:
     return "\n".join([f"{indent}/* {first}", *(f"{indent} * {line}" for line in others)]) + " */"
 
 
-def _heads(schedule: Schedule, twins: bool, marked: bool, word: str) -> dict[str, Any]:
+def _heads(schedule: Schedule, core: Core, twins: bool, marked: bool, word: str) -> dict[str, Any]:
     """The functions as they are declared."""
+    public, local = core.public, core.local
     name, joints = schedule.name, f"{schedule.name.upper()}_JOINTS"
     vector, parameters, solutions = f"const double q[{joints}]", f"const {name}_params *p", f"double q[][{joints}]"
     ending = f"{name}_mark marks[], double alike[], unsigned twin, " if twins else ""
@@ -193,37 +202,37 @@ def _heads(schedule: Schedule, twins: bool, marked: bool, word: str) -> dict[str
         special += ", double size" if marked or size else ""
     called = f"const double T[16], {parameters}, const double reference[{joints}]"
     limits = f"const double lower[{joints}], const double upper[{joints}]"
+    columns = "".join(f"const double {joint}_values[], " for joint in schedule.inputs)
     return {
-        "solve": f"{name}_status {name}_solve({called}, {name}_solutions *out)",
-        "within": f"int {name}_within({called}, {limits}, int capacity, {solutions}, {name}_mark marks[])",
-        "nearest": f"{name}_status {name}_nearest({called}, const double weights[{joints}], {limits}, "
+        "solve": f"{public} {name}_status {name}_solve({called}, {name}_solutions *out)",
+        "within": f"{public} int {name}_within({called}, {limits}, int capacity, {solutions}, {name}_mark marks[])",
+        "nearest": f"{public} {name}_status {name}_nearest({called}, const double weights[{joints}], {limits}, "
         f"double q[{joints}])",
-        "fk": f"void {name}_fk({vector}, {parameters}, double T[16])",
-        "jacobian": f"void {name}_jacobian({vector}, {parameters}, double J[6 * {joints}])",
-        "ik": f"int {name}_ik(const double T[16], {parameters}, {solutions})",
-        "ik_near": f"int {name}_ik_near(const double T[16], {parameters}, "
-        f"const double reference[{joints}], {solutions})",
+        "family": f"{public} unsigned {name}_family(unsigned free)",
+        "fk": f"{public} void {name}_fk({vector}, {parameters}, double T[16])",
+        "jacobian": f"{public} void {name}_jacobian({vector}, {parameters}, double J[6 * {joints}])",
+        "ik": f"{public} int {name}_ik(const double T[16], {parameters}, {solutions})",
+        "ik_near": f"{public} int {name}_ik_near({called}, {solutions})",
         "sweep": {
-            joint: f"int {name}_ik_sweep_{joint}(const double T[16], {parameters}, const double reference[{joints}], "
-            f"const double values[], int steps, {solutions}, int counts[])"
+            joint: f"{public} int {name}_ik_sweep_{joint}({called}, const double values[], int steps, {solutions}, "
+            "int counts[])"
             for joint in schedule.inputs
         },
-        "fk_batch": f"void {name}_fk_batch(const double q[], int n, {parameters}, double T[])",
-        "ik_batch": f"int {name}_ik_batch(const double T[], int n, {parameters}, const double reference[{joints}], "
-        f"{''.join(f'const double {joint}_values[], ' for joint in schedule.inputs)}{solutions}, int counts[])",
-        "ik_marked": f"int {name}_ik_marked(const double T[16], {parameters}, "
-        f"const double reference[{joints}], {solutions}, {name}_mark marks[])",
-        "distance": f"static double distance({vector}, {pose}, double e[ENTRIES])",
-        "slopes": f"static void slopes({vector}, {parameters}, double size, double {slopes})",
-        "step": f"static void step(double {slopes}, const double e[ENTRIES], double damping, double g[{joints}])",
-        "polish": f"static double polish(double q[{joints}], {pose})",
-        "settle": f"static int settle({solutions}, {ending}int mark, {parameters}, const double M[12], "
+        "fk_batch": f"{public} void {name}_fk_batch(const double q[], int n, {parameters}, double T[])",
+        "ik_batch": f"{public} int {name}_ik_batch(const double T[], int n, {parameters}, "
+        f"const double reference[{joints}], {columns}{solutions}, int counts[])",
+        "ik_marked": f"{public} int {name}_ik_marked({called}, {solutions}, {name}_mark marks[])",
+        "distance": f"{local} double distance({vector}, {pose}, double e[ENTRIES])",
+        "slopes": f"{local} void slopes({vector}, {parameters}, double size, double {slopes})",
+        "step": f"{local} void step(double {slopes}, const double e[ENTRIES], double damping, double g[{joints}])",
+        "polish": f"{local} double polish(double q[{joints}], {pose})",
+        "settle": f"{local} int settle({solutions}, {ending}int mark, {parameters}, const double M[12], "
         "double tau, double size)",
-        "settled": f"static int settled({solutions}, {name}_mark marks[], {special})",
-        "tidied": f"static int tidied({solutions}, {name}_mark marks[], const double alike[], int count{sliding})",
-        "hold": f"static void hold(const {name}_params *p, double q[{joints}])",
-        "constant_motions": f"static void constant_motions(const {name}_params *p, rigid_motion out[7])",
-        "reaches": f"static int reaches({vector}, {parameters}, const double M[12], double tau{size})",
+        "settled": f"{local} int settled({solutions}, {name}_mark marks[], {special})",
+        "tidied": f"{local} int tidied({solutions}, {name}_mark marks[], const double alike[], int count{sliding})",
+        "hold": f"{local} void hold(const {name}_params *p, double q[{joints}])",
+        "constant_motions": f"{local} void constant_motions(const {name}_params *p, rigid_motion out[7])",
+        "reaches": f"{local} int reaches({vector}, {parameters}, const double M[12], double tau{size})",
     }
 
 
