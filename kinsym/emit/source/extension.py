@@ -13,7 +13,7 @@ from kinsym import __version__
 from kinsym.emit.environment import render
 from kinsym.emit.printer import decimal
 from kinsym.emit.schedule import Schedule
-from kinsym.emit.source.banner import banner, c_comment, printable, python_docstring, python_string
+from kinsym.emit.source.banner import banner, c_comment, markdown, printable, python_docstring, python_string
 from kinsym.emit.source.c_source import c_source
 from kinsym.emit.source.control import control_names, python_limits
 from kinsym.emit.source.numpy_source import constants
@@ -75,6 +75,7 @@ def _names(schedule: Schedule) -> dict[str, Any]:
         "name": schedule.name,
         "macro": schedule.name.upper(),
         "title": c_comment(schedule.title or schedule.name),
+        "heading": markdown(schedule.title or schedule.name),
         "version": __version__,
         "description": _toml_string(f"Kinematics of {schedule.title or schedule.name}"),
         "banner": [python_docstring(line) for line in banner(schedule, shared=True)],
