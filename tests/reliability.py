@@ -18,11 +18,11 @@ TITLES = ("The checks catch sabotage", "Long runs")
 def write_section(title: str, lines: list[str], page: Path = PAGE) -> None:
     """Put a section in its place on the page; the others stay as they are."""
     old = page.read_text(encoding="utf-8") if page.exists() else ""
-    bodies = {name: _body(old, name) for name in TITLES} | {title: "\n".join(lines)}
-    sections = [f"\n## {name}\n\n{body.strip()}\n" for name, body in bodies.items() if body.strip()]
+    bodies = {name: _body(old, name) for name in TITLES} | {title: "\n".join(lines).strip("\n")}
+    sections = [f"\n## {name}\n\n{body}\n" for name, body in bodies.items() if body]
     page.write_text(HEAD + "".join(sections), encoding="utf-8", newline="\n")
 
 
 def _body(text: str, title: str) -> str:
     _, found, rest = text.partition(f"\n## {title}\n")
-    return rest.partition("\n## ")[0] if found else ""
+    return rest.partition("\n## ")[0].strip("\n") if found else ""

@@ -42,6 +42,8 @@ JUDGED = 2_000
 STARTS = 12
 #: Steps along ways that wind, as they do where another singular pose is not far, and how far such ways lead.
 SHORT, FAR = 0.01, 10.0
+#: So many of one block are looked at so closely; where more are missed, something is wrong with the solver.
+WINDING = 40
 #: A pose outside by less than this is not known to be outside.
 UNKNOWN = 2e-15
 
@@ -71,7 +73,8 @@ class Poses:
 
 
 class Stress:
-    """One robot with the first choice of its parameters; ``sources`` are the files of its C, those generated if None."""
+    """One robot with the first choice of its parameters; ``sources`` are the files of its C, if they are not those that
+    are generated."""
 
     def __init__(self, derivation: Derivation, sources: Mapping[str, str] | None = None) -> None:
         self.schedule = schedule = build_schedule(derivation)
@@ -183,7 +186,7 @@ class Stress:
             for start in range(0, len(rows), JUDGED):
                 some = rows[start : start + JUDGED]
                 missed[some] = ~judge.found(found[some], q[some], T[some])
-        for row in np.flatnonzero(missed):
+        for row in np.flatnonzero(missed)[:WINDING]:
             path = self.judge.path if distance[row] > MERGED else max(CLOSE_PATH, self.judge.path)
             missed[row] = not self._joined(found[row, : counts[row]], q[row], T[row], path)
         return missed
