@@ -21,7 +21,7 @@ joined to one by a way on which the pose stays; where two sets meet, or outside 
 at all. *Wrong*: a solution that misses its pose by more than 1e-9. *Copies*: two solutions within 1e-7. *Broken*: a
 value that is no number, an angle outside (-pi, pi], a pose that is refused. *Batch*: poses, of which one in four is
 tried, at which `ik_batch` answers otherwise than `ik_near`. Outside a border a solution may miss the pose by as much as
-the pose is outside, up to the 1e-12 at which a solution in doubt is given up; its closure stands in a column of its own.
+the pose is outside, up to the 1e-12 at which a solution in doubt is given up; its closure has its own column.
 """
 
 
