@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
+from copy import deepcopy
 from dataclasses import replace
 from fractions import Fraction
 
@@ -105,48 +106,67 @@ class Examination:
         self.q = self.samples.q
         self.poses = self.exact.forward(self.q)
         self.solution_counts: Counter[int] = Counter()
+        self.every = np.arange(len(self.q))
+        #: Those that the exact walk sees, which is slow.
+        self.some = self.every[:: max(1, len(self.every) // counts.exact)]
+        self._slopes = self.rng.permutation(len(self.q))[:JACOBIAN_POSES]
+        self._noisy_poses = self._noisy()
+        self._rows = self.rng.permutation(len(self.q))[:TABLE_POSES]
 
     def run(self) -> None:
-        """Every law; a target that raises fails :data:`ERROR_LAW` and is left out of the rest."""
-        every = np.arange(len(self.q))
-        some = every[:: max(1, len(every) // self.counts.exact)]
-        slopes = self.rng.permutation(len(self.q))[:JACOBIAN_POSES]
-        noisy = self._noisy()
-        rows = self.rng.permutation(len(self.q))[:TABLE_POSES]
-        hold_definition(self.ledger, self.exact, self.table, q=self.q[rows], slopes=self.q[slopes])
-        oracle = self.exact.inverse(self.poses[some], self.q[some])
-        self._inverse(self.exact, oracle, some)
-        self._refusals(self.exact)
-        answers: dict[str, Solutions] = {}
+        """Every law on every target."""
+        oracle = self.hold_exact()
+        answers = {}
         for target in self.targets:
-            try:
-                self._forward(target, slopes)
-                hold_singular_set(self.ledger, target, self.schedule, self.parameters, self.q[:SET_POSES])
-                answer = target.inverse(self.poses, self.q)
-                self._inverse(target, answer, every)
-                self._refusals(target)
-                self._unreachable(target)
-                if not sifted(self.schedule):
-                    self._noise(target, noisy)
-                if isinstance(target, NumpySolver):
-                    self._single(target, some[:SINGLE_POSES])
-                    self._sweep(target, some[:SINGLE_POSES])
-                if isinstance(target, CSolver):
-                    hold_batch(self.ledger, target, self.judge, poses=self.poses, q=self.q)
-                if isinstance(target, NumpySolver | CSolver):
-                    hold_nearest(self.ledger, target, self.judge, poses=self.poses[some], q=self.q[some], rng=self.rng)
-            except Exception as error:  # generated code that was edited may raise anything
-                self.ledger.fail(ERROR_LAW, target.name, f"{type(error).__name__}: {error}")
-                continue
-            answers[target.name] = answer
+            answer = self.hold(target)
+            if answer is not None:
+                answers[target.name] = answer
+        self.hold_agreement(oracle, answers)
+        self._count_solutions(next(iter(answers.values()))[1] if answers else None, oracle[1])
+
+    def hold_exact(self) -> Solutions:
+        """The laws of the exact walk, and its answers to the poses it sees."""
+        hold_definition(self.ledger, self.exact, self.table, q=self.q[self._rows], slopes=self.q[self._slopes])
+        oracle = self.exact.inverse(self.poses[self.some], self.q[self.some])
+        self._inverse(self.exact, oracle, self.some)
+        self._refusals(self.exact)
+        return oracle
+
+    def hold(self, target: Solver) -> Solutions | None:
+        """The laws of one target, and its answers to all poses; one that raises fails :data:`ERROR_LAW`."""
+        every, some = self.every, self.some
+        try:
+            self._forward(target, self._slopes)
+            hold_singular_set(self.ledger, target, self.schedule, self.parameters, self.q[:SET_POSES])
+            answer = target.inverse(self.poses, self.q)
+            self._inverse(target, answer, every)
+            self._refusals(target)
+            self._unreachable(target)
+            if not sifted(self.schedule):
+                self._noise(target, self._noisy_poses)
+            if isinstance(target, NumpySolver):
+                self._single(target, some[:SINGLE_POSES])
+                self._sweep(target, some[:SINGLE_POSES])
+            if isinstance(target, CSolver):
+                hold_batch(self.ledger, target, self.judge, poses=self.poses, q=self.q)
+            if isinstance(target, NumpySolver | CSolver):
+                # every target is asked the same
+                rng = deepcopy(self.rng)
+                hold_nearest(self.ledger, target, self.judge, poses=self.poses[some], q=self.q[some], rng=rng)
+        except Exception as error:  # generated code that was edited may raise anything
+            self.ledger.fail(ERROR_LAW, target.name, f"{type(error).__name__}: {error}")
+            return None
+        return answer
+
+    def hold_agreement(self, oracle: Solutions, answers: Mapping[str, Solutions]) -> None:
+        """Whether the targets' answers agree with each other and with the exact walk's."""
         uniform = self.samples.of(UNIFORM)
-        hold_status(self.ledger, self.targets, answers, poses=self.poses, q=self.q, uniform=uniform, which=some)
+        hold_status(self.ledger, self.targets, answers, poses=self.poses, q=self.q, uniform=uniform, which=self.some)
         for name in list(answers)[1:]:
             own = next(iter(answers))
-            self._agree(f"{own} and {name}", answers[own], answers[name], every)
+            self._agree(f"{own} and {name}", answers[own], answers[name], self.every)
         for name, (q, count) in answers.items():
-            self._agree(f"exact walk and {name}", oracle, (q[some], count[some]), some)
-        self._count_solutions(next(iter(answers.values()))[1] if answers else None, oracle[1], some)
+            self._agree(f"exact walk and {name}", oracle, (q[self.some], count[self.some]), self.some)
 
     def poses_by_kind(self) -> dict[str, int]:
         """How many poses of each kind were tried."""
@@ -315,9 +335,9 @@ class Examination:
         left, right = (single[None], np.array([len(single)])), (batch[None], np.array([len(batch)]))
         return bool(self.judge.agreement(left, right, pose[None])[1][0])
 
-    def _count_solutions(self, numbers: Rows | None, oracle: Rows, some: Rows) -> None:
+    def _count_solutions(self, numbers: Rows | None, oracle: Rows) -> None:
         uniform = self.samples.of(UNIFORM)
-        self.solution_counts.update((oracle[uniform[some]] if numbers is None else numbers[uniform]).tolist())
+        self.solution_counts.update((oracle[uniform[self.some]] if numbers is None else numbers[uniform]).tolist())
 
 
 def _too_many(failed: int, tried: NDArray[np.bool_], share: int) -> int:

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from itertools import combinations
 
 import numpy as np
@@ -74,12 +75,20 @@ class Poses:
 
 
 class Stress:
-    """One robot with the first choice of its parameters; ``sources`` are the files of its C, if they are not those that
-    are generated."""
+    """One robot with one choice of its parameters, the first of the checks if None is given.
 
-    def __init__(self, derivation: Derivation, sources: Mapping[str, str] | None = None) -> None:
+    ``sources`` are the files of its C, if they are not those that are generated.
+    """
+
+    def __init__(
+        self,
+        derivation: Derivation,
+        sources: Mapping[str, str] | None = None,
+        parameters: Mapping[str, Fraction] | None = None,
+    ) -> None:
         self.schedule = schedule = build_schedule(derivation)
-        parameters = draws(schedule.parameters, lengths_of(derivation.robot), schedule.digest, 1)[0]
+        if parameters is None:
+            parameters = draws(schedule.parameters, lengths_of(derivation.robot), schedule.digest, 1)[0]
         self.kinematics = TreeKinematics(schedule, parameters)
         self.library = Library(schedule, parameters, sources)
         self.postures = Postures(schedule, parameters, self.kinematics.size, generator(schedule.digest, SEQUENCE))
