@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from kinsym.check.examination import MERGED
 from kinsym.check.laws import Judge, malformed, outward
 from kinsym.check.solvers import Floats, as_float
 from kinsym.derivation import Derivation
@@ -20,6 +21,7 @@ SPECIAL, RANDOM = 600, 150
 #: A general solver takes a thousand times as long for a pose.
 GENERAL = 12
 SINGLE = 60
+ORDINARY, FAR = 12, 8
 NOISE = (1e-13, 1e-9, 3e-7)
 
 
@@ -27,7 +29,9 @@ NOISE = (1e-13, 1e-9, 3e-7)
 class Inputs:
     """The inputs of one choice of parameters.
 
-    ``T`` (m, 4, 4) are poses, ``q`` (m, n) references for them; ``firm`` (m,) tells where all solutions are determined.
+    ``T`` (m, 4, 4) are poses, ``q`` (m, n) references for them. ``firm`` (m,) tells where everything is determined;
+    elsewhere, if not ``loose`` (m,), it is but for the bands in which roots merge, and where two singularities meet a
+    solution must be found.
     ``turned`` (k, n) are joint vectors with many turns. ``limits`` are pairs (n, 2), ``weights`` (n,).
     """
 
@@ -36,6 +40,7 @@ class Inputs:
     T: Floats
     q: Floats
     firm: np.ndarray
+    loose: np.ndarray
     turned: Floats
     odd: dict[str, Floats]
     limits: list[Floats]
@@ -44,7 +49,13 @@ class Inputs:
     @property
     def single(self) -> np.ndarray:
         """The rows that functions for one pose are asked of where each call is slow."""
-        return np.unique(np.linspace(0, len(self.q) - 1, SINGLE).astype(int))
+        rows = np.flatnonzero(~self.loose)
+        return rows[np.unique(np.linspace(0, len(rows) - 1, SINGLE).astype(int))]
+
+    @property
+    def ordinary(self) -> np.ndarray:
+        """Rows at which rounding decides nothing: the last that are anywhere."""
+        return np.arange(len(self.q) - FAR - ORDINARY, len(self.q) - FAR)
 
 
 def inputs(derivation: Derivation, schedule: Schedule, parameters: Mapping[str, Fraction]) -> Inputs:
@@ -53,19 +64,20 @@ def inputs(derivation: Derivation, schedule: Schedule, parameters: Mapping[str, 
     rng, n = stress.postures.rng, len(schedule.joints)
     kinds = [] if schedule.general else list(stress.poses(SPECIAL))
     plain = stress.postures.random(GENERAL if schedule.general else RANDOM)
-    poses = [kind.T[: SPECIAL // 10] for kind in kinds] + [stress.kinematics.forward(plain)]
-    vectors = [kind.q[: SPECIAL // 10] for kind in kinds] + [plain]
-    firm = [np.full(len(kind.q[: SPECIAL // 10]), kind.name != PAIR) for kind in kinds] + [np.ones(len(plain), bool)]
+    share = SPECIAL // 10
+    poses = [kind.T[:share] for kind in kinds] + [stress.kinematics.forward(plain)]
+    vectors = [kind.q[:share] for kind in kinds] + [plain]
+    near = [np.where(kind.name == PAIR, -1.0, kind.distance[:share]) for kind in kinds] + [np.full(len(plain), np.inf)]
     for size in NOISE:
         noisy = poses[-1][:GENERAL].copy()
         noisy[:, :3, :3] += rng.uniform(-size, size, noisy[:, :3, :3].shape)
         poses.insert(0, noisy)
         vectors.insert(0, plain[: len(noisy)])
-        firm.insert(0, np.ones(len(noisy), bool))
-    far = outward(poses[-1][:8], stress.kinematics.size)
+        near.insert(0, np.full(len(noisy), np.inf))
+    far = outward(poses[-1][:FAR], stress.kinematics.size)
     poses.append(far)
     vectors.append(plain[: len(far)])
-    firm.append(np.ones(len(far), bool))
+    near.append(np.full(len(far), np.inf))
     q = np.concatenate(vectors)
     reach = np.where(stress.postures.revolute, np.pi, stress.postures.reach)
     middle = rng.uniform(-0.5, 0.5, (4, n)) * reach
@@ -78,7 +90,8 @@ def inputs(derivation: Derivation, schedule: Schedule, parameters: Mapping[str, 
         judge=stress.judge,
         T=np.concatenate(poses),
         q=q,
-        firm=np.concatenate(firm),
+        firm=np.concatenate(near) > MERGED,
+        loose=np.concatenate(near) < 0.0,
         turned=rng.uniform(-1.0, 1.0, (40, n)) * np.logspace(0, 6, 40)[:, None],
         odd=malformed(poses[-2][0]),
         limits=limits,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import multiprocessing
 import random
 import resource
+import signal
 from dataclasses import dataclass
 from typing import Any
 
@@ -81,8 +82,8 @@ class Sabotage:
             outcome, reason = ours.recv()
         except EOFError:
             child.join()
-            ended = child.exitcode == -24 or child.exitcode == -9
-            outcome, reason = CAUGHT, ENDLESS if ended else CRASHED
+            endless = child.exitcode in (-signal.SIGXCPU, -signal.SIGKILL)
+            outcome, reason = CAUGHT, ENDLESS if endless else CRASHED
         child.join()
         return Outcome(robot=self.schedule.name, mutant=mutant, outcome=outcome, reason=reason)
 
