@@ -6,7 +6,7 @@ A call that is refused returns the word for what was wrong: "not a pose", "param
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
@@ -46,6 +46,9 @@ class Calls(Protocol):
     def nearest(self, pose: Floats, reference: Floats | None, weights: Floats | None, limits: Floats | None) -> Any:
         """The nearest joint vector (n,), None if there is none, or why the call is refused."""
 
+    def refusing(self, pose: Floats, q: Floats, parameters: Mapping[str, float]) -> dict[str, bool]:
+        """Which functions of one pose refuse parameters that no solver is for; also those for many poses."""
+
     def tables(self) -> dict[str, Any]:
         """Names of branches, limits and the values of parameters, where the language holds them."""
 
@@ -80,6 +83,20 @@ class _NumpyCalls:
         except ValueError as error:
             return _word(error)
 
+    def refusing(self, pose: Floats, q: Floats, parameters: Mapping[str, float]) -> dict[str, bool]:
+        given = {**self._target.given(q), **parameters}
+        module = self._module
+        every = {"ik": module.ik, "ik_batch": module.ik_batch, "solve": module.solve, "within": module.within}
+        told = {name: self._refuses(call, pose, **given) for name, call in every.items()}
+        return {**told, "nearest": self._refuses(module.nearest, pose, q, **given)}
+
+    def _refuses(self, call: Callable[..., Any], *arguments: Any, **given: Any) -> bool:
+        try:
+            call(*arguments, **given)
+        except ValueError as error:
+            return _word(error) == PARAMETER
+        return False
+
     def tables(self) -> dict[str, Any]:
         module = self._module
         branches = tuple(getattr(module, "BRANCHES", ()))
@@ -101,11 +118,7 @@ class _CCalls:
     def solve(self, pose: Floats, reference: Floats | None, parameters: Mapping[str, float] | None = None) -> Any:
         if reference is not None:
             self._target.give(reference)
-        given = self._target.given
-        if parameters is not None:
-            given = type(given)(*given)
-            for place, parameter in enumerate(self._target.schedule.parameters):
-                given[place] = parameters.get(parameter.name, given[place])
+        given = self._with(parameters or {})
         q, marks = np.empty((self._most, self._n)), np.zeros((self._most, 3), dtype=np.uint32)
         # two ints, then the doubles of every solution, then the three numbers of every mark
         out = np.zeros(8 + q.nbytes + marks.nbytes + 8, dtype=np.uint8)
@@ -144,6 +157,26 @@ class _CCalls:
         arguments = (pose, self._target.given, reference, weights, *_ends(limits))
         status = self._call("nearest", *arguments, q)
         return _REFUSALS.get(status, str(status)) if status < 0 else None if status == 0 else q
+
+    def refusing(self, pose: Floats, q: Floats, parameters: Mapping[str, float]) -> dict[str, bool]:
+        self._target.give(q)
+        given, found, counts = self._with(parameters), np.empty((self._most, self._n)), np.zeros(1, dtype=np.intc)
+        values = [None] * len(self._target.schedule.inputs)
+        told = {
+            "ik": self._call("ik", pose, given, found),
+            "ik_batch": self._call("ik_batch", pose, 1, given, None, *values, found, counts),
+            "within": self._call("within", pose, given, q, None, None, 0, None, None),
+            "nearest": self._call("nearest", pose, given, q, None, None, None, found),
+        }
+        refused = {name: _REFUSALS.get(status) == PARAMETER for name, status in told.items()}
+        return {**refused, "solve": self.solve(pose, q, parameters) == PARAMETER}
+
+    def _with(self, parameters: Mapping[str, float]) -> Any:
+        """The struct of parameters with some of them changed."""
+        given = type(self._target.given)(*self._target.given)
+        for place, parameter in enumerate(self._target.schedule.parameters):
+            given[place] = parameters.get(parameter.name, given[place])
+        return given
 
     def tables(self) -> dict[str, Any]:
         library = self._target.library

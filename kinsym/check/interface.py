@@ -259,15 +259,18 @@ def _hold_refusals(
                 near = _with(q, place, value)
                 said += [(calls.solve(pose, near), REFERENCE), (calls.within(pose, near, None), REFERENCE)]
             said.append((calls.nearest(pose, q, _with(weights, place, value), None), WEIGHT))
-        said += [(calls.solve(pose, q, {item.name: value}), PARAMETER) for item in schedule.parameters]
     for place in questions.places:
         said.append((calls.nearest(pose, q, _with(weights, place, -1e-9), None), WEIGHT))
         for ends in ((1.0, 0.5), (np.nan, 1.0), (0.0, np.nan), (np.inf, np.inf), (-np.inf, -np.inf)):
             broken = _with(limits, place, ends)
             said += [(calls.within(pose, q, broken), LIMIT), (calls.nearest(pose, q, None, broken), LIMIT)]
-    for item in schedule.nonzero:
-        if isinstance(item.value, Sym) and item.value.name in item.parameters:
-            said.append((calls.solve(pose, q, {item.value.name: 0.0}), PARAMETER))
+    names = [item.name for item in schedule.parameters]
+    wrong_ones = [(name, value) for name in names for value in (np.nan, np.inf)]
+    nonzero = {item.value.name for item in schedule.nonzero if isinstance(item.value, Sym)}
+    vanishing = [(name, 0.0) for name in names if name in nonzero]
+    for name, value in [*wrong_ones, *vanishing]:
+        told = calls.refusing(pose, q, {name: value})
+        said += [(PARAMETER if refused else "", PARAMETER) for refused in told.values()]
     for case in malformed(pose).values():
         said += [
             (calls.solve(case, q), NOT_A_POSE),

@@ -102,7 +102,7 @@ def _imported(
 
 def hold_module(module: ModuleType, schedule: Schedule, subject: str, ledger: Ledger) -> bool:
     """Whether a module has the functions and the constants that it must have."""
-    wanted = ("fk", "ik", "ik_batch", "jacobian", "solve", "nearest")
+    wanted = ("fk", "ik", "ik_batch", "jacobian", "solve", "within", "nearest")
     missing = [name for name in wanted if not callable(getattr(module, name, None))]
     if missing:
         ledger.fail(IMPORT, subject, f"it has no {', '.join(missing)}")
@@ -132,7 +132,18 @@ def _compiled(schedule: Schedule, path: Path, ledger: Ledger, versions: dict[str
         versions["compiler"] = compiler_version(compiler)
         versions["flags"] = " ".join(FLAGS)
         library = ctypes.CDLL(str(compile_shared(path.parent, schedule.name, path.parent, compiler=compiler)))
-        for function in ("fk", "fk_batch", "ik_near", "ik_batch", "jacobian", "solve", "nearest"):
+        for function in (
+            "fk",
+            "fk_batch",
+            "ik",
+            "ik_near",
+            "ik_batch",
+            "jacobian",
+            "solve",
+            "within",
+            "nearest",
+            "family",
+        ):
             getattr(library, f"{schedule.name}_{function}")
     except (CheckFailed, OSError, AttributeError) as error:
         ledger.fail(COMPILE, C, str(error))
