@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import cached_property
 from itertools import combinations
 
 import numpy as np
@@ -90,7 +91,7 @@ class Stress:
         if parameters is None:
             parameters = draws(schedule.parameters, lengths_of(derivation.robot), schedule.digest, 1)[0]
         self.kinematics = TreeKinematics(schedule, parameters)
-        self.library = Library(schedule, parameters, sources)
+        self._sources, self._parameters = sources, parameters
         self.postures = Postures(schedule, parameters, self.kinematics.size, generator(schedule.digest, SEQUENCE))
         self.judge = Judge(
             self.kinematics,
@@ -99,6 +100,11 @@ class Stress:
             float(schedule.tau),
             CLOSURE if sifted(schedule) else PATH,
         )
+
+    @cached_property
+    def library(self) -> Library:
+        """The compiled C."""
+        return Library(self.schedule, self._parameters, self._sources)
 
     def run(self, count: int) -> list[Kind]:
         """Ask for about ``count`` poses."""
