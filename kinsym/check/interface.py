@@ -208,7 +208,7 @@ def _table_limits(schedule: Schedule) -> Floats:
 def _tables_hold(tables: Mapping[str, Any], schedule: Schedule) -> bool:
     values = {item.name: None if item.value is None else as_float(item.value) for item in schedule.parameters}
     return (
-        tables["branches"] == tuple(schedule.branches)
+        (not schedule.branches or tables["branches"] == tuple(schedule.branches))
         and np.array_equal(tables["limits"], _table_limits(schedule))
         and tables.get("parameters", values) == values
     )
