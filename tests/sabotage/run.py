@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import faulthandler
 import multiprocessing
 import random
 import resource
@@ -28,6 +29,8 @@ CAUGHT, EQUAL, ROUNDING, SURVIVED, STILLBORN = (
     "SURVIVED",
     "stillborn",
 )
+#: What a child tells before it compares.
+PASSED = "passed"
 ENDLESS = "the checks do not end"
 CRASHED = "the checks crash"
 
@@ -78,13 +81,18 @@ class Sabotage:
         child = context.Process(target=self._child, args=(mutant, theirs))
         child.start()
         theirs.close()
+        told: list[tuple[str, str]] = []
         try:
-            outcome, reason = ours.recv()
+            while len(told) < 2:
+                told.append(ours.recv())
         except EOFError:
-            child.join()
-            endless = child.exitcode in (-signal.SIGXCPU, -signal.SIGKILL)
-            outcome, reason = CAUGHT, ENDLESS if endless else CRASHED
+            pass
         child.join()
+        endless = child.exitcode in (-signal.SIGXCPU, -signal.SIGKILL)
+        end = ENDLESS if endless else CRASHED
+        outcome, reason = told[-1] if told else (CAUGHT, end)
+        if outcome == PASSED:
+            outcome, reason = SURVIVED, f"beyond what the checks ask: {end}"
         return Outcome(robot=self.schedule.name, mutant=mutant, outcome=outcome, reason=reason)
 
     def _say(self, language: str) -> None:
@@ -95,26 +103,36 @@ class Sabotage:
             self._good[python_text.LANGUAGE] = of_numpy(self._bench.module, self.schedule, self._inputs)
 
     def _child(self, mutant: Mutant, pipe: Any) -> None:
+        faulthandler.disable()
         resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
         resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
-        pipe.send(self._held(mutant))
+        try:
+            code = self._held(mutant)
+        except Caught as law:
+            pipe.send((CAUGHT, str(law)))
+        except Stillborn as error:
+            pipe.send((STILLBORN, str(error).splitlines()[-1]))
+        except Exception:  # a broken plan may lead anywhere, and nothing would be written
+            pipe.send((CAUGHT, CRASHED))
+        else:
+            # what happens from here on, the checks do not see
+            pipe.send((PASSED, ""))
+            pipe.send(self._compared(mutant.language, code))
         pipe.close()
 
-    def _held(self, mutant: Mutant) -> tuple[str, str]:
-        try:
-            if mutant.language == c_text.LANGUAGE:
-                told = of_c(self._bench.hold_c(mutant.make()), self.schedule, self._inputs)
-            elif mutant.language == python_text.LANGUAGE:
-                told = of_numpy(self._bench.hold_numpy(mutant.make()), self.schedule, self._inputs)
-            else:
-                module, _ = hold_plan(self.derivation.robot, mutant.make())
-                told = of_numpy(module, self.schedule, self._inputs)
-        except Caught as law:
-            return CAUGHT, str(law)
-        except Stillborn as error:
-            return STILLBORN, str(error).splitlines()[-1]
-        good = self._good[c_text.LANGUAGE if mutant.language == c_text.LANGUAGE else python_text.LANGUAGE]
-        return _judged(difference(good, told, self._inputs))
+    def _held(self, mutant: Mutant) -> Any:
+        """The code of a mutant that passes the checks."""
+        if mutant.language == c_text.LANGUAGE:
+            return self._bench.hold_c(mutant.make())
+        if mutant.language == python_text.LANGUAGE:
+            return self._bench.hold_numpy(mutant.make())
+        return hold_plan(self.derivation.robot, mutant.make())[0]
+
+    def _compared(self, language: str, code: Any) -> tuple[str, str]:
+        """What code that passed says, beside what good code says."""
+        told = of_c if language == c_text.LANGUAGE else of_numpy
+        good = self._good[c_text.LANGUAGE if language == c_text.LANGUAGE else python_text.LANGUAGE]
+        return _judged(difference(good, told(code, self.schedule, self._inputs), self._inputs))
 
 
 def _judged(found: Difference) -> tuple[str, str]:

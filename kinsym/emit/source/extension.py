@@ -103,7 +103,7 @@ def _names(schedule: Schedule) -> dict[str, Any]:
 
 
 def _vanishing(schedule: Schedule) -> str:
-    """What is said of parameters with which something vanishes that must not, as a string of C; ASCII without quotes."""
+    """What is said of parameters with which something vanishes that must not, as a string of C."""
     names = ", ".join(dict.fromkeys(name for item in schedule.nonzero for name in item.parameters))
     return f'"a parameter vanishes that the equations take for granted, one of: {names}"'
 
