@@ -12,79 +12,119 @@ import sys
 from collections.abc import Sequence
 
 from kinsym import __version__
-from kinsym.command import check, derive, importing, lecture, robots, show
+from kinsym.command import (
+    check,
+    completion,
+    derive,
+    explain,
+    importing,
+    latex,
+    lecture,
+    new,
+    plot,
+    robots,
+    show,
+    workspace,
+)
+from kinsym.command.parsing import Parser, parsed
+from kinsym.command.screen import Screen
 from kinsym.errors import KinsymError
 
 COMMANDS = {
     "derive": derive,
     "show": show,
+    "explain": explain,
+    "latex": latex,
+    "plot": plot,
+    "workspace": workspace,
+    "new": new,
     "import": importing,
     "robots": robots,
     "check": check,
     "lecture": lecture,
+    "completion": completion,
 }
 INTERRUPTED = 130
 
-_DESCRIPTION = "Closed-form kinematics of serial robots: equations, NumPy and C that are checked against each other."
+_DESCRIPTION = """\
+Closed-form kinematics of serial robots: equations, NumPy and C that are
+checked against each other."""
 _EXAMPLES = """\
 examples:
-  kinsym derive fanuc_s900w                 a robot of the gallery, into ./fanuc_s900w
-  kinsym derive my_robot.toml -o out        a robot file, into ./out
+  kinsym derive fanuc_s900w                a robot of the gallery, ./fanuc_s900w
+  kinsym derive my_robot.toml -o out       a robot file, into ./out
   kinsym derive table.csv --convention craig
-  kinsym derive --dh "pi/2 0 d1 theta1; 0 a2 0 theta2" --convention paul --name two_links
-  kinsym derive kuka_iiwa --lock theta3     an arm with seven joints: theta3 is an input
-  kinsym derive arm.urdf --tip-link tool0   a chain of a URDF file
-  kinsym import arm.urdf --tip-link tool0   the same as a robot file, to read and edit
-  kinsym show ur5                           the equations only
-  kinsym check out                          the checks again, on the files in ./out
-  kinsym lecture                            every equation of the lecture, derived and compared
+  kinsym derive --dh "pi/2 0 d1 theta1; 0 a2 0 theta2" --convention paul
+  kinsym derive kuka_iiwa --lock theta3    seven joints: theta3 is an input
+  kinsym derive arm.urdf --tip-link tool0  a chain of a URDF file
+  kinsym derive ur5 --target extension     a package around the C, for pip
+  kinsym derive ur5 --json                 the result for a program
+  kinsym show ur5                          the equations only
+  kinsym explain ur5 theta3                how theta3 is found, and why so
+  kinsym latex --lecture                   the chapter of the lecture, in LaTeX
+  kinsym plot ur5 --branches               all solutions of a pose, drawn
+  kinsym workspace puma560                 a map of what the arm reaches
+  kinsym new my_robot --convention paul    a robot file to start from
+  kinsym import arm.urdf --tip-link tool0  a robot file from URDF
+  kinsym robots wrist                      the gallery, or a part of it
+  kinsym check out                         the checks again, on files in ./out
+  kinsym lecture                           the lecture's equations, compared
+  kinsym completion bash                   for source <(kinsym completion bash)
 
-exit status: 0 done and checked; 1 no closed form, or a check failed; 2 the input is wrong
+exit status: 0 done and checked; 1 no closed form, or a check failed; 2 the
+input is wrong; 130 interrupted. NO_COLOR=1 takes colour away.
 """
-
-
-def parser() -> argparse.ArgumentParser:
-    """The parser of the whole command line."""
-    top = argparse.ArgumentParser(
-        prog="kinsym", description=_DESCRIPTION, epilog=_EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    top.add_argument("--version", action="version", version=f"kinsym {__version__}")
-    commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
-    for name, module in COMMANDS.items():
-        module.add_options(commands.add_parser(name, help=module.HELP, allow_abbrev=False))
-    return top
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command; the exit status.
 
-    >>> main(["robots"]) == 0  # doctest: +ELLIPSIS
-    abb_irb120 ...
-    True
+    With ``--json`` standard output holds one JSON object, whatever happens: the command's, or
+    ``{"status": ..., "error": {"kind": ..., "message": ...}}``.
+
+    >>> main(["robots", "ur5e"])  # doctest: +ELLIPSIS
+    name  joints ...
+    0
     """
     given = list(sys.argv[1:] if arguments is None else arguments)
+    screen = Screen(quiet="--quiet" in given, as_json="--json" in given)
     try:
-        _suggest(given)
-        options = parser().parse_args(given)
-        return _run(options)
+        return _run(given, screen)
     except SystemExit as stop:
         return stop.code if isinstance(stop.code, int) else 2
     except KinsymError as error:
-        print(f"kinsym: {error}", file=sys.stderr)
-        return error.exit_status
+        return _refused(screen, type(error).__name__, str(error), error.exit_status)
     except KeyboardInterrupt:
-        return INTERRUPTED
-
-
-def _run(options: argparse.Namespace) -> int:
-    from kinsym.command.screen import Screen
-
-    screen = Screen(quiet=getattr(options, "quiet", False))
-    try:
-        status: int = COMMANDS[options.command].run(options, screen)
-        return status
+        return _refused(screen, "Interrupted", "interrupted", INTERRUPTED)
     finally:
-        screen.flush()
+        screen.end()
+
+
+def _run(given: list[str], screen: Screen) -> int:
+    """Understand the words and do what they say."""
+    _suggest(given)
+    top = Parser(
+        prog="kinsym",
+        description=_DESCRIPTION,
+        epilog=_EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )
+    top.add_argument("--version", action="version", version=f"kinsym {__version__}")
+    commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
+    for name, module in COMMANDS.items():
+        module.add_options(commands.add_parser(name, help=module.HELP, allow_abbrev=False))
+    options = parsed(top, commands.choices, given)
+    status: int = COMMANDS[options.command].run(options, screen)
+    return status
+
+
+def _refused(screen: Screen, kind: str, message: str, status: int) -> int:
+    """Say why nothing came out."""
+    screen.end()
+    screen.warn(message)
+    screen.refuse(kind, message, status)
+    return status
 
 
 def _suggest(given: list[str]) -> None:

@@ -13,6 +13,10 @@ class KinsymError(Exception):
     exit_status = 2
 
 
+class UsageError(KinsymError):
+    """The words of a command line cannot be understood."""
+
+
 class RobotError(KinsymError):
     """The description of the robot is wrong."""
 

@@ -73,9 +73,7 @@ def solve_tool_at_goal(
     wanted = wrist_at_goal(goal, station=station, tool=tool)
     if wanted.shape != (4, 4):
         raise RobotError(f"a goal has the shape (4, 4), not {wanted.shape}", where=arm.robot.name)
-    q, valid = arm.ik(wanted)
-    found: Floats = q[valid]
-    return found
+    return arm.ik(wanted)
 
 
 def with_frames(robot: Robot, *, station: Matrix | None = None, tool: Matrix | None = None) -> Robot:

@@ -45,8 +45,8 @@ def check_place(folder: Path, names: Iterable[str]) -> None:
         raise OutputError(f"{folder} cannot be used: {_reason(error)}. Choose another with --output.") from error
 
 
-def write_set(folder: Path, files: Mapping[str, str]) -> tuple[Path, ...]:
-    """Write every text (UTF-8, ``\\n`` line ends) into ``folder``, made if need be; the paths in order.
+def write_set(folder: Path, files: Mapping[str, str | bytes]) -> tuple[Path, ...]:
+    """Write every text (UTF-8, ``\\n`` line ends) or picture into ``folder``, made if need be; the paths in order.
 
     Raises OutputError; then the folder is as it was before.
     """
@@ -57,10 +57,10 @@ def write_set(folder: Path, files: Mapping[str, str]) -> tuple[Path, ...]:
             made += _make(place)
         with tempfile.TemporaryDirectory(prefix=".kinsym-", dir=folder) as private:
             new, old = Path(private, "new"), Path(private, "old")
-            for name, text in files.items():
+            for name, content in files.items():
                 for side in (new, old):
                     (side / name).parent.mkdir(parents=True, exist_ok=True)
-                (new / name).write_text(text, encoding="utf-8", newline="\n")
+                (new / name).write_bytes(content.encode() if isinstance(content, str) else content)
             _move(new, old, folder, list(files))
     except OSError as error:
         for path in reversed(made):

@@ -11,14 +11,15 @@ import difflib
 import pytest
 
 from kinsym.check.report import FAILED
-from kinsym.robot import gallery
+from kinsym.robot import gallery, gallery_index
 from tests.regenerate import GENERATED, comparable, files_of
 
 
 @pytest.mark.parametrize("name", gallery())
 def test_gallery(name: str) -> None:
-    """Same bytes, and no check fails."""
-    files, findings = files_of(name)
+    """Same bytes, the same line in the gallery's index, and no check fails."""
+    files, findings, entry = files_of(name)
+    assert gallery_index()[name] == entry
     assert [check for check in findings.checks if check.status == FAILED] == []
     there = {path.name: path.read_text(encoding="utf-8") for path in (GENERATED / name).glob("*")}
     assert sorted(there) == sorted(files)
@@ -36,5 +37,6 @@ def test_gallery(name: str) -> None:
 
 
 def test_no_folder_without_a_robot() -> None:
-    """What left the gallery leaves ``generated/``."""
+    """What left the gallery leaves ``generated/`` and the index."""
+    assert list(gallery_index()) == list(gallery())
     assert sorted(path.name for path in GENERATED.iterdir() if path.is_dir()) == list(gallery())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 import sys
@@ -11,7 +12,8 @@ import pytest
 
 from kinsym.cli import main
 
-README = (Path(__file__).resolve().parent.parent / "README.md").read_text(encoding="utf-8")
+ROOT = Path(__file__).resolve().parent.parent
+README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
 def block(language: str) -> str:
@@ -31,6 +33,24 @@ def test_the_robot_file_and_the_python_session(tmp_path: Path, monkeypatch: pyte
     done = subprocess.run([sys.executable, "-W", "error", "-c", code], capture_output=True, text=True, check=False)
     assert done.stderr == ""
     assert done.stdout.splitlines() == ["(2, 2)", "(4, 4) (1, 2, 2) (1, 2) (2, 6, 2)"]
+
+
+def test_the_session_in_python(tmp_path: Path) -> None:
+    """The lines run as they stand, give the shapes that they say, and write the files; so do the two calls below."""
+    found = re.search(r"## From Python.*?```python\n(.*?)```", README, re.DOTALL)
+    assert found is not None
+    calls = re.findall(r"`(solution\.[^`]*l1=0\.4\)|solution\.[^`]*\"l1\": 0\.4}\))`", README)
+    assert len(calls) == 2
+    one_link = "ks.from_inline('0 l1 0 theta1', convention='paul')"
+    more = [f"solution, q = ks.derive({one_link}), [0.1]", *calls, "print(T.shape, arm.ik(T).shape)"]
+    command = [sys.executable, "-W", "error", "-c", "\n".join([found[1], *more])]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=tmp_path, env=environment)
+    assert done.stderr == ""
+    lines = done.stdout.splitlines()
+    assert lines[0].startswith("  2. theta3: two-link triangle")
+    assert lines[-1] == "(4, 4) (8, 6)"
+    assert (tmp_path / "out" / "puma560.py").exists()
 
 
 def test_the_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:

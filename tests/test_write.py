@@ -28,6 +28,13 @@ def test_writes_into_new_folders(tmp_path: Path) -> None:
     assert contents(tmp_path) == {"x/y/a.py": "one\n", "x/y/a.c": "two\n"}
 
 
+def test_pictures_are_written_as_they_are(tmp_path: Path) -> None:
+    """Bytes beside texts; no line end is changed."""
+    write_set(tmp_path, {"a.png": b"\x89PNG\r\n", "a.svg": "one\r\ntwo\n"})
+    assert (tmp_path / "a.png").read_bytes() == b"\x89PNG\r\n"
+    assert (tmp_path / "a.svg").read_bytes() == b"one\r\ntwo\n"
+
+
 def test_leaves_other_files_alone(tmp_path: Path) -> None:
     """Same names are replaced, other names are not touched."""
     (tmp_path / "mine.txt").write_text("mine")
@@ -60,7 +67,7 @@ def test_a_failed_write_leaves_no_folder(tmp_path: Path, monkeypatch: pytest.Mon
     def failing(*_: object, **__: object) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(Path, "write_text", failing)
+    monkeypatch.setattr(Path, "write_bytes", failing)
     with pytest.raises(OutputError):
         write_set(tmp_path / "x" / "y", FILES)
     assert os.listdir(tmp_path) == []

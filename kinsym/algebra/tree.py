@@ -10,15 +10,34 @@ Names are plain identifiers. ``c23`` and ``s23`` are the cosine and sine of ``th
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from fractions import Fraction
+from typing import Any
+
+
+class _Hashed:
+    """An expression hashes its parts once: large ones are keys of dictionaries many times over."""
+
+    def __hash__(self) -> int:
+        stored: int | None = self.__dict__.get("_hash")
+        if stored is None:
+            stored = self.__dict__["_hash"] = hash((type(self).__name__, *self._parts()))
+        return stored
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Without the hash, which another process would calculate otherwise."""
+        return type(self), self._parts()
+
+    def _parts(self) -> tuple[Any, ...]:
+        return tuple(getattr(self, field.name) for field in fields(self))  # type: ignore[arg-type]
 
 
 @dataclass(frozen=True)
-class Num:
+class Num(_Hashed):
     """An exact number."""
 
     value: Fraction
+    __hash__ = _Hashed.__hash__
 
 
 @dataclass(frozen=True)
@@ -29,17 +48,19 @@ class Sym:
 
 
 @dataclass(frozen=True)
-class Sum:
+class Sum(_Hashed):
     """Two or more terms; a term that is negative is a :class:`Prod` whose first factor is a negative Num."""
 
     terms: tuple[Tree, ...]
+    __hash__ = _Hashed.__hash__
 
 
 @dataclass(frozen=True)
-class Prod:
+class Prod(_Hashed):
     """Two or more factors; a sign or a number comes first."""
 
     factors: tuple[Tree, ...]
+    __hash__ = _Hashed.__hash__
 
 
 @dataclass(frozen=True)

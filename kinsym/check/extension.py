@@ -24,19 +24,19 @@ def headers() -> Path | None:
     return folder if (folder / "Python.h").is_file() else None
 
 
-def build(folder: Path, name: str, compiler: str, include: Path) -> Path:
+def build(folder: Path, name: str, compiler: str, include: Path, flags: tuple[str, ...] = _FLAGS) -> Path:
     """Compile the package in ``folder`` (``NAME-solver``) and return the folder that can be imported.
 
     Raises CheckFailed if that fails.
     """
     package = folder / "src" / name
     # Other programs' headers are not held to our warnings.
-    flags = [*_FLAGS, "-isystem", str(include)]
+    more = ["-isystem", str(include)]
     if not sysconfig.get_config_var("Py_GIL_DISABLED"):
-        flags.append("-DPy_LIMITED_API=0x030B0000")
+        more.append("-DPy_LIMITED_API=0x030B0000")
     if sys.platform == "darwin":
-        flags += ["-undefined", "dynamic_lookup"]
-    compile_shared(folder / "c", "_core", package, compiler=compiler, flags=tuple(flags), more=(f"{name}.c",))
+        more += ["-undefined", "dynamic_lookup"]
+    compile_shared(folder / "c", "_core", package, compiler=compiler, flags=(*flags, *more), more=(f"{name}.c",))
     return package
 
 

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kinsym.command.options import add_quiet, add_table
+from kinsym.command.options import add_json, add_quiet, add_table
 
 if TYPE_CHECKING:
     from kinsym.command.screen import Screen
@@ -29,6 +29,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument("--no-check", action="store_true", help="write the files without checking them")
     add_quiet(command)
+    add_json(command)
 
 
 def run(options: argparse.Namespace, screen: Screen) -> int:
@@ -51,8 +52,9 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
     screen.flush()
     screen.stage(f"deriving {robot.name}")
     derivation = derivation_of(robot, deadline=options.deadline)
-    screen.say(equations(derivation, width=screen.width, ascii=screen.ascii))
-    screen.flush()
+    if screen.speaks:
+        screen.say(equations(derivation, width=screen.width, ascii=screen.ascii))
+        screen.flush()
     screen.stage("writing the sources")
     schedule = build_schedule(derivation)
     sources = rendered(derivation, schedule, options.target)
@@ -65,8 +67,12 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
     paths = write_set(folder, {**sources, robot.name + SUFFIX: report.text()})
     say_operations(report, screen)
     say_checks(report, screen)
-    screen.say("Written")
-    screen.say("-------")
+    screen.heading("Written")
     for path in paths:
         screen.say(f"  {path}")
-    return verdict(report, folder, screen)
+    status = verdict(report, folder, screen)
+    if options.json:
+        from kinsym.command.as_json import derived
+
+        screen.give(derived(derivation, report, paths, status))
+    return status

@@ -67,5 +67,5 @@ def _page(options: argparse.Namespace, screen: Screen) -> int:
     if options.system is not None or options.errata:
         raise KinsymError("--markdown is the page of the whole lecture. Leave out the system and --errata.")
     found = list(verdicts())
-    screen.say(markdown(found).rstrip("\n"))
+    screen.say(markdown(found).rstrip("\n"), plain=True)
     return 0 if all(verdict.accounted for verdict in found) else 1

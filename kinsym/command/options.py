@@ -19,7 +19,9 @@ def add_table(command: argparse.ArgumentParser) -> None:
     command.add_argument("--dh", metavar="ROWS", help='rows "alpha a d theta; ..." instead of TABLE')
     command.add_argument("--convention", choices=CONVENTIONS, help="how to read a CSV table or --dh")
     command.add_argument("--name", help="name of the robot, and of the files")
-    command.add_argument("--task", choices=TASKS, help="what of the pose to reach (default: what the arm can)")
+    command.add_argument(
+        "--task", metavar="TASK", choices=TASKS, help=f"what to reach: {', '.join(TASKS)} (default: what the arm can)"
+    )
     command.add_argument(
         "--bind", metavar="NAME=VALUE", action="append", default=[], help="fold a parameter's number in (repeatable)"
     )
@@ -57,3 +59,8 @@ def add_reading(command: argparse.ArgumentParser) -> None:
 def add_quiet(command: argparse.ArgumentParser) -> None:
     """--quiet, of every command that prints what nobody may want to read."""
     command.add_argument("--quiet", action="store_true", help="print errors only")
+
+
+def add_json(command: argparse.ArgumentParser) -> None:
+    """--json, of every command whose result a program may want to read."""
+    command.add_argument("--json", action="store_true", help="print one JSON object instead, an error as well")

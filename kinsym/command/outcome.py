@@ -12,8 +12,7 @@ def say_operations(report: Report, screen: Screen) -> None:
     """What each generated function computes, counted exactly; the solver that searches for roots has no count."""
     from kinsym.emit.operations import Operations
 
-    screen.say("Operations of the C")
-    screen.say("-------------------")
+    screen.heading("Operations of the C")
     for key, name in (("forward", "fk"), ("inverse", "ik"), ("jacobian", "jacobian")):
         counts = report.operations.get(key)
         told = "as many as its search for roots takes" if counts is None else str(Operations(**counts))
@@ -23,8 +22,7 @@ def say_operations(report: Report, screen: Screen) -> None:
 
 def say_checks(report: Report, screen: Screen) -> None:
     """The laws, one line each, and the figures."""
-    screen.say("Checks")
-    screen.say("------")
+    screen.heading("Checks")
     if report.verdict == NOT_RUN:
         screen.say("  none (--no-check)\n")
         return
@@ -41,13 +39,13 @@ def say_checks(report: Report, screen: Screen) -> None:
         statuses = {check.status for check in checks}
         mark = "FAILED" if FAILED in statuses else "not run" if statuses == {NOT_RUN} else "ok"
         limit = next((f" ({check.limit})" for check in checks if check.limit), "")
-        screen.say(f"  {mark:<7} {law}{limit}: {', '.join(check.outcome() for check in checks)}")
+        screen.item(mark, f"{law}{limit}: {', '.join(check.outcome() for check in checks)}")
         for check in checks:
             if check.note:
-                screen.say(f"          {check.subject}: {check.note}")
+                screen.item("", f"{check.subject}: {check.note}")
     for case, number in report.measured["cases"].items():
         if number:
-            screen.say(f"  note    {case}: {number}")
+            screen.item("note", f"{case}: {number}")
     screen.say()
 
 

@@ -35,7 +35,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
     """What the command takes."""
     add_table(command)
     command.add_argument("--full", action="store_true", help="with link transforms and Jacobian")
-    command.add_argument("--method", choices=METHODS, help="one method of the lecture instead, step by step")
+    command.add_argument(
+        "--method", metavar="METHOD", choices=METHODS, help=f"one method of the lecture instead: {', '.join(METHODS)}"
+    )
 
 
 def run(options: argparse.Namespace, screen: Screen) -> int:
@@ -54,6 +56,7 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
 
         screen.say(method_text(METHODS[options.method](robot), width=screen.width, ascii=screen.ascii).rstrip("\n"))
         return 0
+    screen.stage(f"deriving {robot.name}")
     derivation = derive(robot, deadline=options.deadline)
     screen.say(equations(derivation, width=screen.width, ascii=screen.ascii, full=options.full).rstrip("\n"))
     return 0

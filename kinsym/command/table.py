@@ -6,7 +6,7 @@ import argparse
 from dataclasses import replace
 from fractions import Fraction
 
-from kinsym.command.screen import Screen
+from kinsym.command.screen import Screen, filled
 from kinsym.errors import KinsymError, RobotError
 from kinsym.robot.files import from_inline
 from kinsym.robot.loading import load
@@ -68,7 +68,10 @@ def snapping_from(options: argparse.Namespace) -> Snapping:
 def say_notes(robot: Robot, screen: Screen) -> None:
     """What was read otherwise than written, and what looks like a slip."""
     if robot.notes:
-        screen.say("\n".join(("Notes", "-----", *(f"  {note}" for note in robot.notes), "")))
+        screen.heading("Notes")
+        for note in robot.notes:
+            screen.say("\n".join(f"  {line}" for line in filled(note, screen.width - 2)))
+        screen.say()
 
 
 def bindings_of(texts: list[str]) -> dict[str, Fraction]:

@@ -40,8 +40,11 @@ def environment(delimiters: Delimiters = Delimiters()) -> Environment:
     """The environment for a set of delimiters, made once."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined  # slow to import, needed only to emit
 
+    from kinsym.emit.template_cache import TemplateCache
+
     return Environment(
         loader=FileSystemLoader(template_folder()),
+        bytecode_cache=TemplateCache(),
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice
 
-from kinsym.algebra.tree import Sym
+from kinsym.algebra.tree import Sym, Tree
 from kinsym.deadline import Deadline
 from kinsym.errors import NoClosedForm
 from kinsym.inverse.assemble import assemble
@@ -66,7 +66,7 @@ def ranked(state: State) -> Iterator[Candidate]:
     The dearest rules are asked only when the others lead nowhere.
     """
     seen: set[tuple[int, str]] = set()
-    for rules, view in _stages(state):
+    for rules, view in stages(state):
         found: list[Candidate] = []
         for rule in rules:
             for candidate in rule.candidates(view):
@@ -78,7 +78,7 @@ def ranked(state: State) -> Iterator[Candidate]:
                 yield candidate
 
 
-def _stages(state: State) -> Iterator[tuple[Sequence[Rule], View]]:
+def stages(state: State) -> Iterator[tuple[Sequence[Rule], View]]:
     """Rules with what they look at, the dearest last: equations of the pool, then those without some length."""
     pool = Pool(state)
     everything: list[PoolEquation] = []
@@ -128,13 +128,20 @@ def _plan(chain: Chain, task: Task, deadline: Deadline, budget: int) -> tuple[Pl
 def _with_spin(chain: Chain, deadline: Deadline, budget: int) -> Plan | None:
     """Position and axis as a whole pose of the arm with a joint more, see :mod:`kinsym.inverse.spin`."""
     name = spin_name(chain)
-    spun = chain_to_solve(chain.robot, name)
-    names = Names({*spun.ring.index, *chain.ring.index})
-    frame, entries = frame_about(names)
-    state, window = start(spun, Task.POSE, deadline, entries)
-    items = _Search(budget).run(state, names, (*frame, *((window,) if window else ())))
+    state, names, frame, entries = spun_start(chain, deadline)
+    spun = state.chain
+    items = _Search(budget).run(state, names, frame)
     if items is None:
         return None
     plan = assemble(spun, Task.POSE, items, unread=(name,))
     aliases = {tree.name: entry for entry, tree in entries.items() if isinstance(tree, Sym)}
     return replace(without(plan, chain, name), nonzero=nonzero(spun, plan, aliases))
+
+
+def spun_start(chain: Chain, deadline: Deadline = NO_LIMIT) -> tuple[State, Names, tuple[Item, ...], dict[str, Tree]]:
+    """Where the search for a position and an axis begins, with the items before it and the names of the pose."""
+    spun = chain_to_solve(chain.robot, spin_name(chain))
+    names = Names({*spun.ring.index, *chain.ring.index})
+    frame, entries = frame_about(names)
+    state, window = start(spun, Task.POSE, deadline, entries)
+    return state, names, (*frame, *((window,) if window else ())), entries

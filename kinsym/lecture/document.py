@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from kinsym.lecture import told
 from kinsym.lecture.form import COUNTED, Likeness
 from kinsym.lecture.report import difference, mended_text, reason
 from kinsym.lecture.sections import sections
@@ -25,7 +26,11 @@ numbers. A mistake is an entry whose printed form fails and whose mended form pa
 Of the {counted} link transforms, products, elements of forward kinematics and solutions kinsym prints {alike} in the
 lecture's form: the same expression up to the order of terms and factors and the place of a minus sign.
 
-This page is written by `kinsym lecture --markdown`.
+`kinsym latex --lecture` writes the chapter itself: the derivations of every section, the lecture's numbers beside
+kinsym's, and its mistakes as remarks where they occur.
+
+This page is written by `kinsym lecture --markdown`. The notebooks in [`notebooks/`](../notebooks) show
+one part of the lecture each, derived and drawn.
 """
 
 
@@ -69,8 +74,8 @@ def _mistakes(verdicts: Sequence[Verdict]) -> Iterator[str]:
         if entry.mended is None:
             continue
         forms = (difference(entry.mended, entry.printed), mended_text(verdict))
-        cells = [form if entry.printed.claim else f"`{form}`" for form in forms]
-        row = (str(entry.slide), verdict.chapter.system, *cells, _plain(reason(verdict)))
+        cells = [told.markdown(form) if entry.printed.claim else f"`{form}`" for form in forms]
+        row = (str(entry.slide), verdict.chapter.system, *cells, told.markdown(reason(verdict)))
         yield f"| {' | '.join(row)} |"
 
 
@@ -81,7 +86,7 @@ def _conditions(verdicts: Sequence[Verdict]) -> Iterator[str]:
         condition = verdict.entry.printed.options.get("unstated")
         if condition:
             entry = verdict.entry
-            yield f"| {entry.slide} | {verdict.chapter.system} | `{entry.id}` | {_plain(condition)} |"
+            yield f"| {entry.slide} | {verdict.chapter.system} | `{entry.id}` | {told.markdown(condition)} |"
 
 
 def _other_forms(verdicts: Sequence[Verdict]) -> Iterator[str]:
@@ -89,9 +94,4 @@ def _other_forms(verdicts: Sequence[Verdict]) -> Iterator[str]:
     yield "|--:|---|---|---|"
     for verdict in sorted((v for v in verdicts if v.likeness is Likeness.OTHER), key=lambda v: v.entry.slide):
         entry = verdict.entry
-        yield f"| {entry.slide} | {verdict.chapter.system} | `{entry.id}` | {_plain(entry.instead)} |"
-
-
-def _plain(text: str) -> str:
-    """A sentence whose signs mean nothing in Markdown."""
-    return text.replace("|", "\\|").replace("*", "\\*").replace("_", "\\_")
+        yield f"| {entry.slide} | {verdict.chapter.system} | `{entry.id}` | {told.markdown(entry.instead)} |"

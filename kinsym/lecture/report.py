@@ -10,6 +10,7 @@ from kinsym.emit.text.page import Page
 from kinsym.errors import KinsymError
 from kinsym.lecture.chapter import KINDS, Chapter, Form, chapters
 from kinsym.lecture.form import COUNTED, Likeness
+from kinsym.lecture.told import plain
 from kinsym.lecture.verdict import Truth, Verdict
 from kinsym.robot import load
 from kinsym.robot.names import nearest, shown
@@ -21,7 +22,7 @@ PAGE = Page(width=WIDTH)
 def filled(text: str, *, indent: int = 2) -> str:
     """A sentence in lines of the page's width."""
     margin = " " * indent
-    return textwrap.fill(text, WIDTH, initial_indent=margin, subsequent_indent=margin, break_on_hyphens=False)
+    return textwrap.fill(plain(text), WIDTH, initial_indent=margin, subsequent_indent=margin, break_on_hyphens=False)
 
 
 def systems() -> tuple[str, ...]:
@@ -181,12 +182,18 @@ def ways(chapter: Chapter, failed: Sequence[str]) -> Iterator[str]:
 
 def missing(chapter: Chapter) -> str:
     """What the lecture leaves open of a system, so that nothing can be derived; empty for all others."""
+    text = left_open(chapter)
+    return text and filled(f"{text[:-1]} (kinsym show {chapter.robot}).")
+
+
+def left_open(chapter: Chapter) -> str:
+    """The same as a sentence of words and formulas."""
     if not chapter.without_dimensions:
         return ""
     robot = load(chapter.robot)
-    names = ", ".join(robot.parameters)
-    return filled(
-        f"The lecture names the joints of this arm and gives no table: alpha, a and d of {len(robot.joints)} rows are "
-        f"missing, so that nothing but its variables can be compared. kinsym's own {robot.name} has {names} in their "
-        f"places (kinsym show {robot.name})."
+    names = ", ".join(f"`{name}`" for name in robot.parameters)
+    return (
+        f"The lecture names the joints of this arm and gives no table: `alpha`, `a` and `d` of {len(robot.joints)} "
+        f"rows are missing, so that nothing but its variables can be compared. kinsym's own {robot.name} has {names} "
+        f"in their places."
     )

@@ -56,7 +56,7 @@ def stated(arm: System, methods: tuple[str, ...]) -> frozenset[Any]:
             if item.sign != "=":
                 continue
             try:
-                found.add(equation(_side(item.left, names), _side(item.right, names)))
+                found.add(equation(side_form(item.left, names), side_form(item.right, names)))
             except NoShape:
                 continue
     return frozenset(found)
@@ -68,7 +68,7 @@ def special(name: str, given: Mapping[str, str]) -> System:
     return System(bind(system(name).robot, numbers)) if numbers else system(name)
 
 
-def _side(side: Side, names: NameOf) -> Form:
+def side_form(side: Side, names: NameOf) -> Form:
     match side:
         case Matrix(rows):
             return "matrix", tuple(tuple(plain(shape_of_tree(cell, names)) for cell in row) for row in rows)
@@ -79,7 +79,7 @@ def _side(side: Side, names: NameOf) -> Form:
 
 
 def _factor(factor: Factor | Matrix, names: NameOf) -> Any:
-    return (canonical(factor.name), factor.mark) if isinstance(factor, Factor) else _side(factor, names)
+    return (canonical(factor.name), factor.mark) if isinstance(factor, Factor) else side_form(factor, names)
 
 
 def _single(factors: list[Any]) -> Form:

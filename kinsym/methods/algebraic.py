@@ -11,7 +11,7 @@ from kinsym.inverse.state import NO_LIMIT
 from kinsym.kinematics.chain import build_chain
 from kinsym.kinematics.tasks import fitting_task
 from kinsym.methods.document import MethodDerivation
-from kinsym.methods.draft import Draft
+from kinsym.methods.draft import POINTS_FOR_ROOTS, Draft
 from kinsym.methods.from_plan import state_plan
 from kinsym.methods.planar import PlanarArm, planar_arm
 from kinsym.methods.planar_links import is_straight, state_last, state_links
@@ -20,8 +20,6 @@ from kinsym.methods.two_links import solve_two_links
 from kinsym.robot.model import Robot
 
 NAME, TITLE = "algebraic", "Algebraic solution"
-POINTS = 24
-"""More points than usual: those at which a root of the plan is not in the field are given up."""
 
 
 def algebraic(robot: Robot) -> MethodDerivation:
@@ -35,7 +33,7 @@ def algebraic(robot: Robot) -> MethodDerivation:
         arm = planar_arm(robot, TITLE)
         if is_straight(arm):
             return _planar(arm)
-    draft = Draft(chain, method=NAME, title=TITLE, points=POINTS)
+    draft = Draft(chain, method=NAME, title=TITLE, points=POINTS_FOR_ROOTS)
     state_plan(draft, derive_plan(chain, robot.task or fitting_task(chain, chain), NO_LIMIT))
     return draft.done()
 
@@ -43,7 +41,7 @@ def algebraic(robot: Robot) -> MethodDerivation:
 def _planar(arm: PlanarArm) -> MethodDerivation:
     draft = Draft(arm.chain, method=NAME, title=TITLE)
     stated = state_links(draft, arm, ("p_x", "p_y"))
-    point = "the end effector" if stated.angle is None else "P"
+    point = "the end effector" if stated.angle is None else "`P`"
     draft.say(f"The distance from the origin to {point} does not depend on the first angle, so squares are added:")
     solve_two_links(draft, stated.links, stated.point, kappa="kappa", determinant="Delta")
     state_last(draft, arm, stated.angle)

@@ -101,7 +101,7 @@ class _Decoupled:
         draft.name_matrix("p_in0", self._column(map(Sym, ("p_x", "p_y", "p_z"))))
         draft.name_matrix("p_in3", Product((Factor("A_0_3", INVERSE), Factor("p_in0"))))
         draft.name_matrix("p_in6", Product((Factor("A_0_6", INVERSE), Factor("p_in0"))))
-        draft.say("The last three axes meet in P, with q the end effector. Seen from frames 6, 0 and 3 it is")
+        draft.say("The last three axes meet in `P`, with `q` the end effector. Seen from frames 6, 0 and 3 it is")
         draft.state("p_in6", _one("p_in6"), self._column(nested(whole.ring, part) for part in away))
         draft.state("p_in0.name", _one("p_in0"), self._column(map(Sym, ("p_x", "p_y", "p_z"))))
         seen = [

@@ -17,10 +17,10 @@ from kinsym.robot.model import Convention, Robot
 CRAIG, PAUL = "craig", "paul"
 CRAIG_TITLE, PAUL_TITLE = "Craig's link transforms", "Paul's link transforms"
 _ORDER = {
-    Convention.CRAIG: "a turn by `alpha` and a slide by `a` along x of frame i-1, then a turn by `theta` and a slide "
-    "by `d` along z of frame i",
-    Convention.PAUL: "a slide by `d` and a turn by `theta` about z of frame i-1, then a slide by `a` and a turn "
-    "by `alpha` about x of frame i",
+    Convention.CRAIG: "a turn by `alpha` and a slide by `a` along `x` of frame `i-1`, then a turn by `theta` and a "
+    "slide by `d` along `z` of frame `i`",
+    Convention.PAUL: "a slide by `d` and a turn by `theta` about `z` of frame `i-1`, then a slide by `a` and a turn "
+    "by `alpha` about `x` of frame `i`",
 }
 
 
@@ -42,7 +42,7 @@ def paul(robot: Robot) -> MethodDerivation:
 def _links(robot: Robot, method: str, title: str) -> MethodDerivation:
     chain = build_chain(robot)
     draft = Draft(chain, method=method, title=title)
-    draft.say(f"Row i of the table leads from frame i-1 to frame i: {_ORDER[robot.convention]}.")
+    draft.say(f"Row `i` of the table leads from frame `i-1` to frame `i`: {_ORDER[robot.convention]}.")
     names = []
     for number, joint in enumerate(robot.joints, start=1):
         name = f"T_{number - 1}_{number}"
@@ -71,7 +71,7 @@ def _state_product(draft: Draft, chain: Chain, names: list[str]) -> None:
     if robot.base is not None or robot.tool is not None:
         _state_ends(draft, robot, whole)
         return
-    draft.say("Entry by entry, with the columns u, v, w and p:")
+    draft.say("Entry by entry, with the columns `u`, `v`, `w` and `p`:")
     for column, letter in enumerate("uvwp"):
         for row, axis in enumerate("xyz"):
             draft.state(f"{letter}_{axis}", Sym(f"{letter}_{axis}"), pose[row][column])

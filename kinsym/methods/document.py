@@ -10,6 +10,7 @@ import re
 from dataclasses import dataclass
 
 from kinsym.algebra.tree import Tree
+from kinsym.display import Displayed
 
 INVERSE, TRANSPOSE = "-1", "T"
 
@@ -40,7 +41,7 @@ Side = Tree | Matrix | Product
 
 
 @dataclass(frozen=True, kw_only=True)
-class Equation:
+class Equation(Displayed):
     """``left sign right`` under a number and a name, such as ``f1`` or ``loop.x``."""
 
     number: int
@@ -79,7 +80,7 @@ Passage = Sentence | Equation
 
 
 @dataclass(frozen=True, kw_only=True)
-class MethodDerivation:
+class MethodDerivation(Displayed):
     """A method of the lecture applied to one robot.
 
     ``passages`` are in the order of reading and hold every equation; ``solutions`` and ``conditions`` pick those that

@@ -20,6 +20,9 @@ from kinsym.methods.proof import ProofFailed, Witness
 POINTS = 2
 """Random points at which everything is proved; a false polynomial identity passes one with probability 1e-17."""
 
+POINTS_FOR_ROOTS = 24
+"""More points where a formula has roots: those at which one is not in the field are given up."""
+
 
 class Draft:
     """Sentences and equations about one chain, in the order in which they are stated."""
@@ -147,6 +150,10 @@ class Draft:
         equation = self._equation(name, left, right, sign)
         self._conditions.append(equation)
         return equation
+
+    def conclude(self, name: str, left: Tree, sign: str, right: Tree) -> Equation:
+        """An inequality that is a result, not something that must hold for one."""
+        return self._equation(name, left, right, sign)
 
     def solve(
         self, unknown: str, right: Tree, *, branches: int, conditions: Sequence[Equation] = (), also: Tree | None = None

@@ -1,7 +1,8 @@
 """The elbow of an arm in space: two links that turn about parallel axes, in a plane that the joints before them choose.
 
 The wrist point is seen in that plane; the triangle of shoulder, elbow and wrist gives the angle at the elbow by the law
-of cosines, its corner at the shoulder the angle before it. A link that is bent (a3 and d4) keeps both its parts.
+of cosines, its corner at the shoulder the angle before it. A link that is bent (a3 and d4) may have a length that is a
+root, which has a value at half of the points at which a statement is proved.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from kinsym.inverse.state import COLUMNS
 from kinsym.kinematics.chain import build_chain
 from kinsym.kinematics.tasks import fitting_task
 from kinsym.methods.document import MethodDerivation
-from kinsym.methods.draft import Draft
+from kinsym.methods.draft import POINTS_FOR_ROOTS, Draft
 from kinsym.methods.screw_arm import screw_robot, wrist_of
 from kinsym.methods.screws_inverse import ScrewWork
 from kinsym.methods.two_links import TwoLinks
@@ -32,7 +33,7 @@ def solve_elbow(robot: Robot, method: str, title: str, triangle: Links) -> Metho
     table = screw_robot(robot)
     columns = COLUMNS[robot.task or fitting_task(whole, whole)]
     wrist = wrist_of(table, columns)
-    draft = Draft(wrist.arm.chain, method=method, title=title)
+    draft = Draft(wrist.arm.chain, method=method, title=title, points=POINTS_FOR_ROOTS)
     found: list[TwoLinks] = []
 
     def once(draft: Draft, links: TwoLinks, known: tuple[Tree, Tree]) -> None:

@@ -71,10 +71,6 @@ def state_wrist_of(draft: Draft) -> bool:
             )
     wrist = _rotation(chain, first, last)
     fit = fitted(ring, wrist, [own_angle(chain, joint.variable) for joint in chain.joints[first:]])
-    draft.say(
-        f"What the wrist has to turn by is the rotation of the end effector seen from frame {first} at "
-        f"`{chain.joints[first].variable} = 0`, where the joints before it are known:"
-    )
     head = _rotation(chain, 0, first, base=True)
     tail = transpose(chain.joints[-1].after.rotation)
     pose = transpose(tuple(tuple(ring[f"{column}_{row}"] for row in "xyz") for column in "uvw"))  # type: ignore[arg-type]
@@ -82,9 +78,16 @@ def state_wrist_of(draft: Draft) -> bool:
     for name, rotation in ((before, head), (whole, target)):
         draft.name_matrix(name, _matrix(draft, rotation))  # type: ignore[arg-type]
     moved = first or chain.base.rotation != identity(ring)
+    seen = (
+        f" seen from frame {first} at `{chain.joints[first].variable} = 0`, where the joints before it are known"
+        if moved
+        else ""
+    )
+    draft.say(f"What the wrist has to turn by is the rotation of the end effector{seen}:")
     reduced = Product((Factor(before, TRANSPOSE), Factor(whole)) if moved else (Factor(whole),))
     draft.name_matrix(label, reduced)
-    draft.state(label, Product((Factor(label),)), reduced)
+    if moved:
+        draft.state(label, Product((Factor(label),)), reduced)
     entries = tuple(tuple(draft.fresh(f"r{i}{j}") for j in (1, 2, 3)) for i in (1, 2, 3))
     for witness in draft.witnesses:
         for names, values in zip(entries, witness.matrices[label], strict=True):

@@ -27,8 +27,8 @@ def frames(robot: Robot) -> MethodDerivation:
     bottom = (*(draft.tree(draft.ring.zero) for _ in range(3)), draft.tree(draft.ring.one))
     wrist = pose if plain else Matrix((*columns, bottom))
     draft.say(
-        "The wrist W in the base B is the forward kinematics. A station S is given in the base, a tool T in the wrist: "
-        "both ways from the base to the tool are one"
+        "The wrist `W` in the base `B` is the forward kinematics. A station `S` is given in the base, a tool `T` in "
+        "the wrist: both ways from the base to the tool are one"
     )
     draft.name_matrix("T_B_W", wrist)
     _give_poses(draft)
@@ -38,7 +38,7 @@ def frames(robot: Robot) -> MethodDerivation:
     draft.state("loop", Product((Factor("T_B_S"), Factor("T_S_T"))), Product((Factor("T_B_W"), Factor("T_W_T"))))
     draft.say("so that the tool seen from the station is")
     draft.state("tool", Product((Factor("T_S_T"),)), tool)
-    draft.say("The tool is at a goal G, given in the station, if")
+    draft.say("The tool is at a goal `G`, given in the station, if")
     draft.name_matrix("T_S_G", tool)
     draft.state("goal", Product((Factor("T_S_T"),)), Product((Factor("T_S_G"),)))
     draft.say("which is what the inverse kinematics is asked with:")

@@ -6,6 +6,7 @@ formulas are evaluated once more, from the chain's forward kinematics on.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from itertools import pairwise
 
@@ -51,9 +52,9 @@ def _define(draft: Draft, definition: Definition) -> None:
 
 
 def _state_step(draft: Draft, step: Step) -> None:
-    rule = TITLES.get(step.rule, step.rule)
-    draft.say(f"Step {step.number}, `{step.unknown}` by {rule}: {step.why}." if step.why else
-              f"Step {step.number}, `{step.unknown}` by {rule}.")  # fmt: skip
+    rule = re.sub(r"a c \+ b s = [0e]", r"`\g<0>`", TITLES.get(step.rule, step.rule))
+    why = f" {step.why[:1].upper()}{step.why[1:]}." if step.why else ""
+    draft.say(f"Step {step.number}, `{step.unknown}`: {rule}.{why}")
     place = f"step{step.number}"
     for number, part in enumerate(step.equations, start=1):
         if not draft.has_stated(part.lhs, part.rhs):

@@ -67,6 +67,7 @@ def general() -> MethodDerivation:
     draft = Draft(chain, method=NAME, title=TITLE)
     right = draft.give("c", chain.ring["p_x"])
     angle = chain.angles[0, 0, 1]
+    draft.say("Of an equation that is linear in cosine and sine of `theta`,")
     half_angle(draft, Written(angle.name, angle.cosine, angle.sine), Sym("a"), Sym("b"), right)
     return draft.done()
 

@@ -27,7 +27,7 @@ def loop_closure(robot: Robot) -> MethodDerivation:
     angle = give_angle(draft, arm, "Theta_E")
     if angle is not None:
         draft.state("loop.theta", angle, total_angle(arm))
-    draft.say("Along x and y this is")
+    draft.say("Along `x` and `y` this is")
     for name, symbol, written in zip("xy", end, _rows(draft, arm, written=True), strict=False):
         draft.state(f"loop.{name}", written, symbol)
     draft.say("or, with cosines and sines of sums of angles under names,")

@@ -18,12 +18,13 @@ from sympy import Integer
 from kinsym.algebra.nested import nested, number
 from kinsym.algebra.ring import Poly
 from kinsym.algebra.tree import ZERO, Call, PlusMinus, Pow, Quot, Sym, Tree, add, mul, opposite, sub
-from kinsym.errors import DoesNotApply
+from kinsym.errors import DoesNotApply, RobotError
 from kinsym.kinematics.chain import build_chain
 from kinsym.methods.document import MethodDerivation
 from kinsym.methods.draft import Draft
 from kinsym.methods.euler import state_wrist_of
 from kinsym.methods.quartic import Quadratic, solve_quartic
+from kinsym.methods.reversed_arm import reversed_arm
 from kinsym.methods.steps import Row, half_angle, one_row, quotient, square, two_rows
 from kinsym.methods.tables import craig_table, needs_wrist, unlocked
 from kinsym.methods.words import short
@@ -48,15 +49,21 @@ class Shoulder:
 
 
 def pieper(robot: Robot) -> MethodDerivation:
-    """Pieper's solution of a robot whose last three axes meet.
+    """Pieper's solution of a robot whose last three axes meet, or whose first three do, seen from its end.
 
     Raises :class:`DoesNotApply` with the axes that miss each other, or the joint that slides.
     """
     robot = unlocked(robot)
-    needs_wrist(robot, TITLE)
-    chain = build_chain(craig_table(robot))
+    arm = _with_wrist(robot)
+    chain = build_chain(craig_table(arm))
     needs_shoulder(chain, TITLE)
     draft = Draft(chain, method=NAME, title=TITLE)
+    if arm is not robot:
+        draft.say(
+            "The first three axes meet, not the last. So the arm is solved from its end: its joints in reverse order, "
+            "with the opposite signs, make the inverse of its pose, and `u`, `v`, `w` and `p` are here the columns of "
+            "that."
+        )
     point = state_wrist_point(draft)
     shoulder = _state_r_and_z(draft, point)
     _find_third(draft, point, shoulder)
@@ -66,10 +73,25 @@ def pieper(robot: Robot) -> MethodDerivation:
     return draft.done()
 
 
+def _with_wrist(robot: Robot) -> Robot:
+    """The robot, or where its first three axes meet instead of the last the same arm from its end."""
+    try:
+        needs_wrist(robot, TITLE)
+    except DoesNotApply as reason:
+        try:
+            other = reversed_arm(robot)
+            needs_wrist(other, TITLE)
+            needs_shoulder(build_chain(other), TITLE)
+        except (DoesNotApply, RobotError):
+            raise reason from None
+        return other
+    return robot
+
+
 def _state_r_and_z(draft: Draft, point: WristPoint) -> Shoulder:
     """r and z of P, in which theta1 does not occur, and their parts k1 to k4."""
     words, names = point.words, point.names
-    draft.say("The square `r` of the length of P, and its height `z`, do not depend on joint 1:")
+    draft.say("The square `r` of the length of `P`, and its height `z`, do not depend on joint 1:")
     r = draft.define(names["r"], add(*(Pow(part, 2) for part in point.position)), name="r.P")
     z = draft.define(names["z"], point.position[2], name="z.P")
     g = [Sym(names[f"g{i}"]) for i in (1, 2, 3)]

@@ -51,7 +51,7 @@ def _end_of_second(
     draft: Draft, arm: PlanarArm, end: tuple[Tree, Tree], phi: Sym, names: tuple[str, str]
 ) -> tuple[Tree, Tree]:
     """The end of link 2, from the end effector and its angle and by the joints."""
-    draft.say(f"With `{phi.name}` known so is P, the end of link 2:")
+    draft.say(f"With `{phi.name}` known so is `P`, the end of link 2:")
     length = draft.tree(arm.vectors[3][0])
     angle = _less_offset(arm, phi)
     found: list[Tree] = []

@@ -118,8 +118,8 @@ def workspace(robot: Robot) -> MethodDerivation:
         "the reachable workspace is the ring"
     )
     distance = Call("sqrt", (away,))
-    near = draft.require("reachable.near", Call("abs", (sub(l1, l2),)), "<=", distance)
-    far = draft.require("reachable.far", distance, "<=", add(l1, l2))
+    near = draft.conclude("reachable.near", Call("abs", (sub(l1, l2),)), "<=", distance)
+    far = draft.conclude("reachable.far", distance, "<=", add(l1, l2))
     cosine = Quot(sub(away, add(square(l1), square(l2))), product)
     draft.solve(joint, PlusMinus(None, Call("acos", (cosine,))), branches=2, conditions=(near, far))
     draft.say("The two solutions differ in the sign of the sine, whose square is by {folded} and {stretched}")

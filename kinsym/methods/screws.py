@@ -154,8 +154,8 @@ def _state_general(draft: Draft, arm: ScrewArm) -> None:
     names = {name: draft.fresh(name) for name in ("theta", "d", *(f"{s}_{x}" for s in ("s", "so") for x in "xyz"))}
     general = general_displacement(names)
     draft.say(
-        f"A turn by `{names['theta']}` about a screw and a slide by `{names['d']}` along it move points by a matrix A, "
-        f"in which `v({names['theta']}) = 1 - cos {names['theta']}`:"
+        f"A turn by `{names['theta']}` about a screw and a slide by `{names['d']}` along it move points by a matrix "
+        f"`A`, in which `v({names['theta']}) = 1 - cos {names['theta']}`:"
     )
     for number, joint in enumerate(arm.chain.robot.joints, start=1):
         link = displacement_matrix(draft, link_transform(arm.chain, joint, number), joint.variable)

@@ -160,9 +160,9 @@ class ScrewWork:
             few = "does" if len(last) == 1 else "do"
             where = "lies on the last axis" if len(last) == 1 else f"is where the last {_COUNTS[len(last)]} axes meet"
             listed = ", ".join(last)
-            draft.say(f"The point p {where}, so that {listed} {few} not move it. With q the end effector,")
+            draft.say(f"The point `p` {where}, so that {listed} {few} not move it. With `q` the end effector,")
         else:
-            draft.say("The point p is the end effector q itself:")
+            draft.say("The point `p` is the end effector `q` itself:")
         for row, name in zip(ROWS, names, strict=True):
             terms: list[Tree] = [Sym(name)]
             for column, part in zip("uvw", wrist.away, strict=True):
@@ -183,7 +183,7 @@ class ScrewWork:
         if family == "square":
             squared = add(*(draft.tree(entry * entry) for entry in self._column("p")))
             moved = self.ring.reduce(sum((e * e for e in self._image("p", 0, self.moving)), self.ring.zero))
-            draft.say("The displacements of p keep its square,")
+            draft.say("The displacements of `p` keep its square,")
             draft.state("p.squared", squared, draft.tree(moved))
             return
         column, start = family[0], int(family[2:])
@@ -196,7 +196,7 @@ class ScrewWork:
             behind = f"behind joint{'s 1 to' * (start > 1)} {start}" if start else "from the base"
             draft.say(f"`{column}` seen {behind}:")
         elif start or column != "p":
-            what = "of p" if column == "p" else f"of {column}"
+            what = "of `p`" if column == "p" else f"of `{column}`"
             draft.say(f"The equation {what} with displacements taken over to the left:" if start else f"That {what}:")
             draft.state(f"{column}.loop.{start}", left, right)
         if self.matrices and column == "p" and stop - start > 1:

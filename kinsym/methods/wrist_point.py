@@ -90,8 +90,8 @@ def state_wrist_point(draft: Draft) -> WristPoint:
     words = Words(ring, tuple(names.values()))
     before, turn = ", ".join(f"`{row.variable}`" for row in rows[3:5]), rows[5].variable
     draft.say(
-        f"In Craig's convention, the last three axes meeting, the origins of frames 4, 5 and 6 are one point P, which "
-        f"{before} and `{turn}` do not move. From the pose of the end effector:"
+        f"In Craig's convention, the last three axes meeting, the origins of frames 4, 5 and 6 are one point `P`, "
+        f"which {before} and `{turn}` do not move. From the pose of the end effector:"
     )
     position = tuple(
         draft.define(draft.fresh(f"P_{row}"), draft.tree(entry))
@@ -99,7 +99,8 @@ def state_wrist_point(draft: Draft) -> WristPoint:
     )
     if head(chain) != Rigid.unit(ring):
         draft.say(
-            "Frame 0 is laid so that `alpha0 = a0 = d1 = 0`; what the table has of them, and its base, is taken off P."
+            "Frame 0 is laid so that `alpha0 = a0 = d1 = 0`; what the table has of them, and its base, is taken "
+            "off `P`."
         )
     first = Rigid(turn_z(ring, *turned(chain, rows[0])), (ring.zero,) * 3)
     second, third, fourth = (link_transform(chain, rows[i], i + 1) for i in (1, 2, 3))

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from kinsym.robot.catalogue import gallery, gallery_path, gallery_titles
+from kinsym.robot.catalogue import gallery, gallery_heads, gallery_index, gallery_path, gallery_titles
 from kinsym.robot.model import Convention, Home, Joint, Robot, Task
 
 if TYPE_CHECKING:
@@ -29,6 +29,8 @@ __all__ = [
     "digest",
     "from_inline",
     "gallery",
+    "gallery_heads",
+    "gallery_index",
     "gallery_path",
     "gallery_titles",
     "load",

@@ -50,7 +50,7 @@ def lock(robot: Robot, values: Mapping[str, object], *, where: str = "lock") -> 
             "every joint is locked, so none is left to solve for", where=where, remedy="Leave at least one unlocked."
         )
     held = {
-        name: None if values[name] is None else _value(values[name], joint, f"{where} {name}")
+        name: None if values[name] is None else joint_value(values[name], joint, f"{where} {name}", input=True)
         for name, joint in joints.items()
         if name in values
     }
@@ -62,14 +62,21 @@ def lock_text(value: Expr | None) -> str:
     return INPUT if value is None else cell_text(value)
 
 
-def _value(cell: object, joint: Joint, where: str) -> Expr:
+def joint_value(cell: object, joint: Joint, where: str, *, input: bool = False) -> Expr:
+    """The value that a cell gives a joint, in radians or the table's unit of length.
+
+    Raises RobotError for what is no number of the joint's kind or outside its limits; ``input`` lets the message say
+    that a lock can do without a value.
+    """
     revolute = joint.kind == "R"
     value = parse(_plain(cell, revolute, where), where=where)
     if value.free_symbols:
         raise RobotError(
-            f"the value of a lock depends on {names(value)[0]}",
+            f"the value of a {'lock' if input else 'joint'} depends on {names(value)[0]}",
             where=where,
-            remedy=f"Write a number, or lock {joint.variable} without a value: then it is an input of the solver.",
+            remedy=f"Write a number, or lock {joint.variable} without a value: then it is an input of the solver."
+            if input
+            else "Write a number.",
         )
     if not revolute and value.has(sympy.pi):
         raise RobotError(

@@ -12,6 +12,8 @@ from enum import Enum
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from kinsym.display import Displayed
+
 if TYPE_CHECKING:
     from sympy import Expr
 
@@ -107,7 +109,7 @@ class Deviation:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Robot:
+class Robot(Displayed):
     """A serial robot.
 
     ``parameters`` lists every free name of the table in order of first use, with its value or None.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from kinsym.errors import RobotError
+from kinsym.robot.names import nearest
 
 LARGEST_FILE = 1 << 20
 
@@ -17,7 +18,8 @@ def read_text(path: Path, *, shown_as: str, largest: int = LARGEST_FILE) -> str:
     """
     try:
         if not path.exists():
-            raise RobotError("there is no such file", where=shown_as, remedy="Check the path.")
+            hint = nearest(path.name, (beside.name for beside in path.parent.glob("*" + path.suffix)))
+            raise RobotError("there is no such file", where=shown_as, remedy=hint + "Check the path.")
         if not path.is_file():
             raise RobotError("this is not a regular file", where=shown_as, remedy="Name a .toml, .csv or .urdf file.")
         with path.open("rb") as file:

@@ -13,9 +13,12 @@ from kinsym.robot.model import Robot, Task
 from kinsym.workspace.orientations import orientations
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
 
     from kinsym.live import Bools, Floats
+
+    Counts = NDArray[np.int64]
 
 ORIENTATIONS = 100
 """How many orientations are tried where the caller does not say."""
@@ -62,7 +65,7 @@ def dexterous(
     import numpy as np
 
     arm = _arm(robot, values)
-    if "uvw" not in COLUMNS[arm.robot.task or Task.POSE] and arm.robot.task is not Task.POSITION_AXIS:
+    if not asks_for_orientation(arm):
         orientations(arm, 1)
         return _turns_about(arm, _points(points, arm.robot))
     return np.asarray(reached(arm, points, orientations(arm, count), limits=limits).all(axis=-1))
@@ -110,11 +113,35 @@ def reached(arm: LiveArm, points: ArrayLike, rotations: ArrayLike, *, limits: bo
         poses[..., :3, :3] = turns
         poses[..., :3, 3] = part[:, None]
         poses[..., 3, 3] = 1.0
-        q, valid = arm.ik(poses)
+        q, valid = arm.ik_batch(poses)
         if limits:
             valid = valid & _inside(arm, q)
         found[start : start + step] = valid.any(axis=-1)
     return found.reshape(*where.shape[:-1], len(turns))
+
+
+def counted(
+    arm: LiveArm, points: ArrayLike, kind: str, *, count: int, rotation: ArrayLike | None = None, limits: bool = True
+) -> Counts:
+    """How many of the orientations of a workspace the arm reaches at each of the points (..., 3); (...).
+
+    ``kind`` is ``"reachable"``, ``"dexterous"`` or ``"constant"``, the last with its ``rotation``. Of an arm whose task
+    tells no orientation all ``count`` are reached where the workspace has the point, and none elsewhere.
+    """
+    import numpy as np
+
+    if rotation is not None:
+        return np.asarray(constant_orientation(arm, points, rotation, limits=limits)).astype(np.int64)
+    if asks_for_orientation(arm):
+        return np.asarray(reached(arm, points, orientations(arm, count), limits=limits).sum(axis=-1))
+    ask = dexterous if kind == "dexterous" else reachable
+    return np.asarray(ask(arm, points, limits=limits)) * np.int64(count)
+
+
+def asks_for_orientation(arm: LiveArm) -> bool:
+    """Whether the arm's task tells an orientation, in whole or in part."""
+    task = arm.robot.task or Task.POSE
+    return "uvw" in COLUMNS[task] or task is Task.POSITION_AXIS
 
 
 def grid(x: ArrayLike = 0.0, y: ArrayLike = 0.0, z: ArrayLike = 0.0) -> Floats:

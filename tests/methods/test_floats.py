@@ -23,10 +23,11 @@ OFFSETS = (
 SKEW_SLIDE = "0 0 0 theta1; deg(60) a1 l2 theta2; deg(30) a2 d3 0; pi/2 a3 l4 theta4; -pi/2 0 0 theta5; pi/2 0 0 theta6"
 BENT = "0 0 0 theta1; pi/2 0 d2 theta2; 0 a2 0 theta3; -pi/2 a3 d4 theta4; pi/2 0 0 theta5; -pi/2 0 d6 theta6"
 FLAT = "0 0 0 theta1; 0 a1 d2 theta2; deg(40) a2 d3 theta3; pi/2 a3 d4 theta4; -pi/2 0 0 theta5; pi/2 0 0 theta6"
-TABLES = {"pieper": PIEPER, "offsets": OFFSETS, "skew_slide": SKEW_SLIDE, "bent": BENT, "flat": FLAT}
+FIRST = "0 0 0 theta1; pi/2 0 0 theta2; -pi/2 0 d3 theta3; pi/2 a3 d4 theta4; pi/2 a4 d5 theta5; pi/2 a5 0 theta6"
+TABLES = {"first": FIRST, "pieper": PIEPER, "offsets": OFFSETS, "skew_slide": SKEW_SLIDE, "bent": BENT, "flat": FLAT}
 
 CASES = [
-    *(("pieper", robot) for robot in ("fanuc_s900w", "puma560", "stanford_paul", *TABLES)),
+    *(("pieper", robot) for robot in ("fanuc_s900w", "puma560", "stanford_paul", "nao_left_leg", *TABLES)),
     *(("zyz", robot) for robot in ("fanuc_s900w", "spherical_wrist", "puma560", "offsets", "stanford_screw")),
     *(
         ("screws_inverse", robot)
@@ -110,3 +111,17 @@ def test_a_reversed_axis_and_names_that_are_taken(method: str, table: str, chain
         angles = [posture.angles[f"theta{i}"] for i in (1, 2, 3)]
         posture.angles["phi_" if "phi" in table else "phi"] = -angles[0] + angles[1] + angles[2]
         assert follow(derivation, posture) == []
+
+
+BENT_LINK = "pi/2 0 0 theta1; 0 a2 0 theta2; -pi/2 a3 d3 theta3; pi/2 0 d4 theta4; -pi/2 0 0 theta5; 0 0 0 theta6"
+
+
+@pytest.mark.parametrize(
+    "table", [BENT_LINK, BENT_LINK.replace("d3 theta3", "d3 -theta3"), BENT_LINK.replace(" a3", " -a3")]
+)
+def test_a_bent_link_is_a_side_of_the_triangle(table: str, chains: list[Chain]) -> None:
+    """The straight line from elbow to wrist, also where the table counts the elbow's angle the other way round."""
+    derivation = METHODS["geometric"](from_inline(table, convention="paul", name="bent"))
+    assert {"delta", "beta", "psi", "exists.near"} <= {equation.name for equation in derivation.equations}
+    for seed in range(4):
+        assert follow(derivation, Posture(chains[-1], seed)) == []

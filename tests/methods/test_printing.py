@@ -11,7 +11,8 @@ import pytest
 
 from kinsym.cli import main
 from kinsym.command.show import METHODS as OFFERED
-from kinsym.emit.latex.methods import method_fragment
+from kinsym.emit.latex.method_document import method_document
+from kinsym.emit.latex.methods import MethodPage
 from kinsym.emit.text.methods import method_text
 from kinsym.methods import METHODS
 from kinsym.methods.document import Sentence
@@ -36,8 +37,9 @@ PAGES = [
 PREAMBLE = r"""\documentclass[10pt,a4paper]{article}
 \usepackage[T1]{fontenc}
 \usepackage[margin=25mm]{geometry}
-\usepackage{amsmath}
+\usepackage{amsmath,array,booktabs}
 \setcounter{MaxMatrixCols}{20}
+\allowdisplaybreaks
 \setlength{\parindent}{0pt}
 \emergencystretch=3em
 \begin{document}
@@ -81,17 +83,22 @@ def test_a_terminal_without_signs() -> None:
     assert method_text(METHODS["geometric"](load("planar_rr")), ascii=True).isascii()
 
 
-def test_labels_and_references_of_latex() -> None:
-    for method, name in PAGES:
-        text = method_fragment(METHODS[method](load(name)))
-        labels = re.findall(r"\\label{([^}]*)}", text)
-        assert len(labels) == len(set(labels)) == len(METHODS[method](load(name)).equations)
-        assert set(re.findall(r"\\eqref{([^}]*)}", text)) <= set(labels)
+@pytest.mark.parametrize(("method", "name"), PAGES)
+def test_labels_and_references_of_latex(method: str, name: str) -> None:
+    """Every equation has a label, its own or that of the line of matrices or of the matrix that it stands in."""
+    derivation = METHODS[method](load(name))
+    text = method_document(load(name), derivation, "fragment")
+    labels = re.findall(r"\\label{([^}]*)}", text)
+    assert len(labels) == len(set(labels))
+    assert set(re.findall(r"\\eqref{([^}]*)}", text)) <= set(labels)
+    page = MethodPage(derivation)
+    page.lines()
+    assert {page.label(equation.name) for equation in derivation.equations} == set(labels)
 
 
 @pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
 def test_the_fragments_compile(tmp_path: Path) -> None:
-    body = "\n".join(method_fragment(METHODS[method](load(name))) for method, name in PAGES)
+    body = "\n".join(method_document(load(name), METHODS[method](load(name)), "fragment") for method, name in PAGES)
     (tmp_path / "methods.tex").write_text(PREAMBLE + body + "\\end{document}\n", encoding="ascii")
     command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "-no-shell-escape", "methods.tex"]
     for _ in range(2):

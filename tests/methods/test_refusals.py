@@ -24,7 +24,7 @@ REASONS = [
     ("pieper", "abb_irb6620lx", "joint 1 slides"),
     ("pieper", "one_line", "axes 1 and 2 are one line"),
     ("pieper", "parallel", "z does not depend on theta3; axes 1, 2 and 3 are parallel"),
-    ("pieper", "first", "axes 1, 2, 3 do, but the lecture states it for the last three"),
+    ("decoupled", "first", "axes 1, 2, 3 do, but the lecture states it for the last three"),
     ("zyz", "skew", "axes 4 and 5 and axes 5 and 6 are not at right angles"),
     ("zyz", "planar_rrr_paul", "axes 1 and 2 miss by a1"),
     ("loop_closure", "puma560", "axes 1 and 2 are not parallel"),

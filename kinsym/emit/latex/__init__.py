@@ -1,5 +1,5 @@
 """The derivation as a LaTeX document."""
 
-from kinsym.emit.latex.document import document
+from kinsym.emit.latex.document import document, fragment
 
-__all__ = ["document"]
+__all__ = ["document", "fragment"]

@@ -1,28 +1,29 @@
 """The LaTeX document of a derivation: table, forward kinematics, Jacobian and the numbered inverse derivation.
 
-This module says what stands in the document, in which order, as formulas; ``templates/latex/document.tex.j2`` says
+This module says what stands in the document, in which order, as formulas; ``templates/latex/derivation.tex.j2`` says
 it in sentences and TeX.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from kinsym.algebra.convert import tree_of
-from kinsym.emit.environment import Delimiters, environment
+from kinsym.emit.latex.article import LEVELS, Frame, framed, rendered
 from kinsym.emit.latex.general import general_passages
-from kinsym.emit.latex.layout import SMALL, Block, Display, Matrix, Relation, aligned, chunks, matrices, table_fits
+from kinsym.emit.latex.layout import Block, Display, Matrix, Relation, aligned, chunks, matrices
+from kinsym.emit.latex.measure import width
 from kinsym.emit.latex.names import link, pose
 from kinsym.emit.latex.nominal import about
-from kinsym.emit.latex.passages import Formulas, Passages
-from kinsym.emit.latex.sentences import capital, escape, prose
+from kinsym.emit.latex.passages import Formulas, Passages, Sentence
+from kinsym.emit.latex.sentences import Words, capital, escape, prose
 from kinsym.emit.latex.singular import singular_section
+from kinsym.emit.latex.tables import convention_of, row_vector, table_of
 from kinsym.emit.prose.nominal import IN_DOUBT
 from kinsym.emit.prose.vocabulary import angle_sums, joint_angles
 from kinsym.emit.prose.wording import (
-    CONVENTIONS,
     INPUT,
     POSE,
     TASKS,
@@ -40,26 +41,21 @@ from kinsym.general.plan import GeneralPlan
 from kinsym.inverse.cut import link_letter
 from kinsym.inverse.plan import Plan
 from kinsym.inverse.state import span
-from kinsym.robot.model import Convention, Robot, Vector
+from kinsym.robot.model import Convention, Robot
 
 if TYPE_CHECKING:
     from kinsym.derivation import Derivation
 
-_DELIMITERS = Delimiters(block=("<%", "%>"), variable=("<<", ">>"), comment=("<#", "#>"))
 _BASE, _TOOL = r"T_{\mathrm{base}}", r"T_{\mathrm{tool}}"
 #: A table of parameters with a longer name than this is set in a smaller type.
 _LONGEST_NAME = 24
 _WORDS = {2: "two", 4: "four"}
-#: Letters of a formula that fills half a line.
-_UNBROKEN = 45
+#: A formula wider than this (points) is set apart: inside a sentence it would leave its line half empty.
+_WIDEST_INLINE = 110.0
 
 
-class _Writer(Formulas):
+class Writer(Formulas):
     """Turns what is not the inverse derivation into formulas."""
-
-    def vector(self, vector: Vector) -> str:
-        """A vector of the table, as a row."""
-        return f"({', '.join(self.formula(tree_of(cell)) for cell in vector)})"
 
     def notation(self) -> tuple[Block, ...]:
         """The sums of angles that occur, with their shorthand."""
@@ -79,31 +75,13 @@ class _Writer(Formulas):
         ]
         return tuple(named) or (r"c_i = \cos\theta_i, s_i = \sin\theta_i",)
 
-    def table(self) -> tuple[tuple[str, ...], ...]:
-        """The robot's table, its head first."""
-        robot = self.derivation.robot
-        heads = {
-            Convention.SCREW: ("s_i", "s_{0i}"),
-            Convention.CRAIG: (r"\alpha_{i-1}", "a_{i-1}", "d_i", r"\theta_i"),
-            Convention.PAUL: (r"\alpha_i", "a_i", "d_i", r"\theta_i"),
-        }
-        rows: list[tuple[str, ...]] = [("i", *heads[robot.convention])]
-        for number, joint in enumerate(robot.joints, start=1):
-            if robot.convention is Convention.SCREW:
-                cells = ["" if vector is None else self.vector(vector) for vector in (joint.s, joint.s0)]
-            else:
-                row = (joint.alpha, joint.a, joint.d, joint.theta)
-                cells = ["" if cell is None else self.formula(tree_of(cell)) for cell in row]
-            rows.append((str(number), *cells))
-        return tuple(rows)
-
     def home(self) -> tuple[Block, ...]:
         """The home pose of a screw table."""
         home = self.derivation.robot.home
         if home is None:
             return ()
         vectors = (("u_{0}", home.u0), ("v_{0}", home.v0), ("w_{0}", home.w0), ("q_{0}", home.q0))
-        return aligned(Relation(left=name, right=self.vector(vector)) for name, vector in vectors)
+        return aligned(Relation(left=name, right=row_vector(vector, self.formula)) for name, vector in vectors)
 
     def fixed(self) -> tuple[Display, ...]:
         """The base and the tool transform."""
@@ -126,12 +104,13 @@ class _Writer(Formulas):
             for name, value in given_joints(self.derivation.robot)
         )
 
-    def assumed(self, plan: Plan | GeneralPlan) -> str:
+    def assumed(self, plan: Plan | GeneralPlan) -> Sentence:
         """What must not vanish for the inverse kinematics to be right."""
-        formulas = [f"${self.formula(item.value)} \\neq 0$" for item in plan.nonzero]
-        # a name that fills half a line cannot be broken, so the words around it must be allowed to stretch
-        stretch = "\\sloppy\n" if max(map(len, formulas), default=0) > _UNBROKEN else ""
-        return stretch + ", ".join(formulas)
+        relations = [Relation(left=self.formula(item.value), right="0", sign=r"\neq") for item in plan.nonzero]
+        formulas = [f"{relation.left} {relation.sign} {relation.right}" for relation in relations]
+        if max(map(width, formulas), default=0.0) > _WIDEST_INLINE:
+            return Sentence(inline="", blocks=aligned(relations))
+        return Sentence(inline=", ".join(f"${formula}$" for formula in formulas), blocks=())
 
     def links(self) -> tuple[Display, ...]:
         """The link transforms."""
@@ -184,18 +163,33 @@ class _Writer(Formulas):
         found = [value for value in plan.values if found_by_sum(value)]
         return aligned(self.relation(value.variable, value.value) for value in found)
 
+    def open_parameters(self) -> tuple[str, ...]:
+        """The parameters where none of them has a value."""
+        parameters = self.derivation.robot.parameters
+        return () if any(value is not None for value in parameters.values()) else tuple(map(self._inline, parameters))
+
     def parameters(self) -> tuple[Sequence[tuple[str, ...]], ...]:
-        """Each parameter: as it is written here, as it stands in the table, its value."""
+        """Each parameter where some have values: as it is written here, as it stands in the table, its value."""
+        if self.open_parameters():
+            return ()
         rows = [
-            (f"${self.names[name]}$", escape(name), "required argument" if value is None else f"${decimal(value)}$")
+            (self._inline(name), self.words(name), "open" if value is None else f"${decimal(value)}$")
             for name, value in self.derivation.robot.parameters.items()
         ]
         return tuple(chunks(rows))
 
+    def _inline(self, name: str) -> str:
+        return f"${self.names[name]}$"
+
     def branch_table(self, plan: Plan) -> tuple[Sequence[tuple[str, ...]], ...]:
         """Which branch every solution takes at every branching step, and how it is called."""
         named = zip(branch_rows(plan), self.derivation.branches.names, strict=True)
-        return tuple(chunks([(str(number), *marks, escape(name)) for (number, marks), name in named]))
+        return tuple(chunks([(str(number), *marks, self.words(name)) for (number, marks), name in named]))
+
+    def meanings(self) -> tuple[tuple[str, str], ...]:
+        """What the words of the branches mean: each word and its explanation."""
+        parts = (meaning.partition(": ") for meaning in self.derivation.branches.meanings)
+        return tuple((self.words(word), self.words(explanation)) for word, _, explanation in parts)
 
     def closed_form(self, plan: Plan) -> dict[str, Any]:
         """What the document says of an inverse kinematics in closed form."""
@@ -204,60 +198,66 @@ class _Writer(Formulas):
         first, last = span(robot, plan.task)
         return {
             "start": "" if (first, last) in loops(plan, robot) else pose(first, last),
-            "passages": tuple(Passages(self.derivation)),
+            "passages": tuple(Passages(self.derivation, self.words)),
             "values": self.values(plan),
             "wrapped": any(value.wrapped for value in plan.values if found_by_sum(value)),
             "forks": [(fork.number, self.names[fork.unknown], _WORDS[fork.width]) for fork in forks],
             "signs": marks_explained(plan)[0],
             "numbers": marks_explained(plan)[1],
             "branches": self.branch_table(plan) if forks else (),
-            "meanings": [escape(meaning) for meaning in self.derivation.branches.meanings] if forks else [],
+            "meanings": self.meanings() if forks else (),
             "gate": sifting(plan),
         }
 
     def without_closed_form(self, plan: GeneralPlan) -> dict[str, Any]:
         """What it says of one without."""
         return {
-            "why": capital(prose(plan.why, self.names)),
-            "steps": general_passages(self.derivation, plan, self.names),
+            "start": "",
+            "why": capital(prose(plan.why, self.names, self.words)),
+            "steps": general_passages(self.derivation, plan, self.names, self.words),
         }
 
 
 def document(derivation: Derivation) -> str:
-    """A standalone article with every equation of a derivation, ready for pdflatex.
+    """A standalone article with every equation of a derivation, ready for pdflatex."""
+    return _page(derivation, "article")
 
-    The same derivation gives the same bytes: no date, no path.
-    """
-    context = _context(derivation) | {"nominal": "", "in_doubt": IN_DOUBT}
+
+def fragment(derivation: Derivation) -> str:
+    """The same as a section, ready for ``\\input`` into another document."""
+    return _page(derivation, "fragment")
+
+
+def _page(derivation: Derivation, frame: Frame) -> str:
+    levels = asdict(LEVELS[frame])
+    context = context_of(derivation) | levels | {"nominal": "", "in_doubt": IN_DOUBT}
     if derivation.nominal is not None:
-        context["nominal"] = _rendered("nominal", _context(derivation.nominal.derivation) | about(derivation.nominal))
-    text = _rendered("document", context)
-    return re.sub(r"\n{3,}", "\n\n", re.sub(r" +\n", "\n", text))
+        context["nominal"] = rendered(
+            "nominal", context_of(derivation.nominal.derivation) | levels | about(derivation.nominal)
+        )
+    robot = derivation.robot
+    return framed(
+        frame,
+        rendered("derivation", context),
+        title=escape(robot.title) or escape(robot.name),
+        about=f"{robot.name}: equations derived by kinsym.",
+    )
 
 
-def _rendered(template: str, context: dict[str, Any]) -> str:
-    return environment(_DELIMITERS).get_template(f"latex/{template}.tex.j2").render(context)
-
-
-def _context(derivation: Derivation) -> dict[str, Any]:
-    """What the templates read of one derivation."""
-    writer = _Writer(derivation)
+def context_of(derivation: Derivation, words: Words = escape) -> dict[str, Any]:
+    """What the templates read of one derivation; ``words`` escapes what is no formula."""
+    writer = Writer(derivation, words)
     robot: Robot = derivation.robot
     plan = derivation.plan or derivation.general
     if plan is None:
         raise ValueError(f"{robot.name} has no inverse kinematics")
-    table = writer.table()
     held = [item for item in derivation.held if item.name not in robot.locks]
     context: dict[str, Any] = {
-        "name": robot.name,
-        "title": escape(robot.title) or escape(robot.name),
-        "convention": CONVENTIONS[robot.convention].replace("Denavit-Hartenberg", "Denavit--Hartenberg"),
+        "convention": convention_of(robot),
         "task": TASKS[plan.task],
         "screw": robot.convention is Convention.SCREW,
-        "joints": [joint.kind for joint in robot.joints],
-        "table": table if table_fits(table, SMALL) else None,
-        "table_small": not table_fits(table),
-        "table_rows": [] if table_fits(table, SMALL) else _listed(table),
+        "table": table_of(robot, writer.formula),
+        "open": writer.open_parameters(),
         "parameters": writer.parameters(),
         "small": any(len(name) > _LONGEST_NAME for name in robot.parameters),
         "constants": writer.definitions(derivation.constants),
@@ -286,13 +286,3 @@ def _context(derivation: Derivation) -> dict[str, Any]:
     }
     context |= writer.closed_form(plan) if isinstance(plan, Plan) else writer.without_closed_form(plan)
     return context
-
-
-def _listed(table: Sequence[Sequence[str]]) -> tuple[Block, ...]:
-    """A table that is too wide for the page, cell by cell."""
-    head, *rows = table
-    relations = []
-    for number, *cells in rows:
-        for name, cell in zip(head[1:], cells, strict=True):
-            relations.append(Relation(left=f"\\text{{row {number}: }} {name}", right=cell))
-    return aligned(relations)

@@ -124,7 +124,8 @@ class LatexPrinter(ReaderPrinter):
             solid = width(texts[0]) <= _WIDEST_SOLID
             return f"\\sqrt{{{texts[0]}}}" if solid else f"{bracketed(texts[0])}^{{1/2}}"
         if function == "abs":
-            return f"\\lvert {texts[0]} \\rvert"
+            size = ("\\biggl", "\\biggr") if r"\frac" in texts[0] else ("", "")
+            return f"{size[0]}\\lvert {texts[0]} {size[1]}\\rvert"
         if function in ("sin", "cos"):
             plain = isinstance(arguments[0], (Sym, Pi))
             return f"\\{function} {texts[0]}" if plain else f"\\{function}{bracketed(texts[0])}"

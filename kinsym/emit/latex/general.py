@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from kinsym.emit.latex.layout import Block, Relation, aligned
 from kinsym.emit.latex.names import Names
-from kinsym.emit.latex.sentences import capital, escape
+from kinsym.emit.latex.sentences import Words, capital, escape
 from kinsym.emit.prose.general import Formula, stages
 from kinsym.general.plan import GeneralPlan
 
@@ -34,7 +34,9 @@ class Passage:
     pieces: tuple[Piece, ...]
 
 
-def general_passages(derivation: Derivation, plan: GeneralPlan, names: Names) -> tuple[Passage, ...]:
+def general_passages(
+    derivation: Derivation, plan: GeneralPlan, names: Names, words: Words = escape
+) -> tuple[Passage, ...]:
     """The steps in order; formulas that follow each other stand together."""
     result = []
     for number, stage in enumerate(stages(derivation, plan, names.__getitem__), start=1):
@@ -49,7 +51,7 @@ def general_passages(derivation: Derivation, plan: GeneralPlan, names: Names) ->
                 pieces.append(Piece(blocks=aligned(pending)))
                 pending = []
             if piece:
-                pieces.append(Piece(text=capital(_sentence(piece, names))))
+                pieces.append(Piece(text=capital(_sentence(piece, names, words))))
         unknowns = ", ".join(names[name] for name in stage.unknowns)
         result.append(Passage(number=number, unknowns=unknowns, title=stage.title, pieces=tuple(pieces)))
     return tuple(result)
@@ -75,14 +77,14 @@ _WORDS = {
 }
 
 
-def _sentence(text: str, names: Names) -> str:
+def _sentence(text: str, names: Names, words: Words = escape) -> str:
     r"""A sentence with the mathematics in its braces.
 
     >>> _sentence("{R nu = P_1 mu} gives {nu} at 100 %", Names([]))
     '$R \\nu = P_{1} \\mu$ gives $\\nu$ at 100 \\%'
     """
     parts = re.split(r"\{(.*?)\}", text)
-    return "".join(f"${_formula(part, names)}$" if k % 2 else _spaced(part) for k, part in enumerate(parts))
+    return "".join(f"${_formula(part, names)}$" if k % 2 else _spaced(part, words) for k, part in enumerate(parts))
 
 
 def _formula(text: str, names: Names) -> str:
@@ -101,7 +103,7 @@ def _named(word: str, names: Names) -> str:
         return word
 
 
-def _spaced(text: str) -> str:
+def _spaced(text: str, words: Words) -> str:
     """Escaped text that keeps the blanks at its ends."""
     lead, tail = text[: len(text) - len(text.lstrip())], text[len(text.rstrip()) :]
-    return f"{lead}{escape(text)}{tail if text.strip() else ''}"
+    return f"{lead}{words(text)}{tail if text.strip() else ''}"

@@ -17,9 +17,12 @@ _TAG = 30.0
 _QUAD = 10.0
 _TABLE_SPACE = 6.0
 _WORD = 36.0
+_ARRAY_SPACE = 5.0
+_BRACKETS = 12.0
 #: The size of TeX's footnotesize beside the type of the document.
 SMALL = 0.8
-_RELATION = 14.0
+#: The width of a relation with the space around it.
+RELATION = 14.0
 _WIDEST_LEFT = 0.35 * PAGE
 _LONGEST_TABLE = 32
 
@@ -51,7 +54,7 @@ def _lines(text: str, room: float) -> list[str]:
 
 def _stacked(relation: Relation) -> Row:
     """An equation whose left side is too wide to stand beside its right side."""
-    room = PAGE - _TAG - _RELATION - _QUAD
+    room = PAGE - _TAG - RELATION - _QUAD
     right = _lines(relation.right, room)
     return (
         *(f"& {line}" for line in _lines(relation.left, room)),
@@ -67,7 +70,7 @@ def aligned(relations: Iterable[Relation]) -> tuple[Block, ...]:
 
     def flush() -> None:
         if plain:
-            room = PAGE - _TAG - _RELATION - max(width(relation.left) for relation in plain)
+            room = PAGE - _TAG - RELATION - max(width(relation.left) for relation in plain)
             rows = []
             for relation in plain:
                 first, *others = _lines(relation.right, room)
@@ -76,7 +79,7 @@ def aligned(relations: Iterable[Relation]) -> tuple[Block, ...]:
             plain.clear()
 
     for relation in relations:
-        fits = width(relation.left) + width(relation.right) <= PAGE - _TAG - _RELATION
+        fits = width(relation.left) + width(relation.right) <= PAGE - _TAG - RELATION
         if width(relation.left) > _WIDEST_LEFT and (plain or not fits):
             flush()
         if width(relation.left) > _WIDEST_LEFT and not fits:
@@ -89,6 +92,12 @@ def aligned(relations: Iterable[Relation]) -> tuple[Block, ...]:
     return tuple(blocks)
 
 
+def bracketed_width(cells: Sequence[Sequence[str]]) -> float:
+    """The width of a matrix between its brackets, these included."""
+    columns = list(zip(*cells, strict=True))
+    return sum(max(map(width, column)) for column in columns) + 2 * _ARRAY_SPACE * (len(columns) - 1) + _BRACKETS
+
+
 @dataclass(frozen=True, kw_only=True)
 class Matrix:
     """``name = [cells]``."""
@@ -99,9 +108,7 @@ class Matrix:
     @property
     def width(self) -> float:
         """The width of the whole equation."""
-        columns = zip(*self.cells, strict=True)
-        body = sum(max(map(width, column)) + 2 * 5.0 for column in columns) + 6.0
-        return width(self.name) + _RELATION + body
+        return width(self.name) + RELATION + bracketed_width(self.cells)
 
     @property
     def fits(self) -> bool:

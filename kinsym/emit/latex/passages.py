@@ -12,7 +12,7 @@ from kinsym.emit.latex.formula import LatexPrinter, relation_sign
 from kinsym.emit.latex.layout import Block, Relation, aligned
 from kinsym.emit.latex.measure import width
 from kinsym.emit.latex.names import Names, pose
-from kinsym.emit.latex.sentences import capital, prose
+from kinsym.emit.latex.sentences import Words, capital, escape, prose
 from kinsym.emit.prose.vocabulary import all_names
 from kinsym.emit.prose.wording import Loop, branch_marks, loops, origins, rule_title, shown_items
 from kinsym.inverse.cut import link_letter
@@ -59,10 +59,11 @@ class Passage:
 
 
 class Formulas:
-    """Formulas of one derivation over one table of names."""
+    """Formulas of one derivation over one table of names; ``words`` escapes what stands between them."""
 
-    def __init__(self, derivation: Derivation) -> None:
+    def __init__(self, derivation: Derivation, words: Words = escape) -> None:
         self.derivation = derivation
+        self.words = words
         self.names = Names(all_names(derivation))
         self.formula = LatexPrinter(self.names)
 
@@ -108,7 +109,7 @@ class Passages(Formulas):
         """Equations of the pool."""
         return aligned(Relation(left=self.formula(part.lhs), right=self.formula(part.rhs)) for part in equations)
 
-    def _step(self, step: Step, before: Step | None) -> Passage:
+    def step(self, step: Step, before: Step | None) -> Passage:
         """One step with all that a reader needs to repeat it."""
         solution = []
         for (name, value), mark in zip(step.solution, branch_marks(step), strict=True):
@@ -120,10 +121,10 @@ class Passages(Formulas):
             number=step.number,
             unknown=self.names[step.unknown],
             rule=re.sub(r"a c \+ b s = [0e]", r"$\g<0>$", rule_title(step.rule)),
-            why=capital(prose(step.why, self.names)),
+            why=capital(prose(step.why, self.names, self.words)),
             branches=step.branches,
             sources=tuple(
-                Source(text=prose(origin.text, self.names), blocks=self._equations(origin.equations))
+                Source(text=prose(origin.text, self.names, self.words), blocks=self._equations(origin.equations))
                 for origin in origins(step, before)
             ),
             coefficients=self.definitions(step.coefficients),
@@ -149,7 +150,7 @@ class Passages(Formulas):
             if isinstance(item, Window):
                 yield self._window(windows[item.left, item.right])
             else:
-                yield self._step(item, before)
+                yield self.step(item, before)
                 before = item
         if pending:
             yield Passage(kind="names", blocks=self.definitions(pending))

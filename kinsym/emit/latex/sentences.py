@@ -7,7 +7,9 @@ sentences of a plan hold names of the program; those become mathematics.
 from __future__ import annotations
 
 import re
+import textwrap
 import unicodedata
+from collections.abc import Callable
 
 from kinsym.emit.latex.names import Names, link, pose
 
@@ -64,6 +66,7 @@ _ACCENTS = {
     "\u0328": r"\k",
 }
 _LONGEST_WORD = 30
+_SOURCE_LINE = 120
 
 
 def _character(character: str) -> str:
@@ -91,6 +94,9 @@ def escape(text: str) -> str:
     return " ".join(word for word in words if word)
 
 
+Words = Callable[[str], str]
+"""Escapes words for the document that they stand in."""
+
 _TOKEN = re.compile(
     r"(?P<pose>T_(?P<left>\d+)_(?P<right>\d+))"
     r"|(?P<link>[AL]\d+)(?P<inverse>\^-1)?"
@@ -110,8 +116,8 @@ def _is_symbol(name: str, names: Names) -> bool:
     return name in names and (bool(re.search(r"[0-9_]", name)) or name in ("alpha", "beta", "gamma", "phi", "psi"))
 
 
-def prose(text: str, names: Names) -> str:
-    r"""A sentence of the plan, its names set as mathematics.
+def prose(text: str, names: Names, words: Words = escape) -> str:
+    r"""A sentence of the plan, its names set as mathematics and the rest escaped by ``words``.
 
     >>> prose("row z of A1^-1 T_0_6, for theta1", Names(["theta1"]))
     'row $z$ of $A_{1}^{-1} \\, {}^{0}T_{6}$, for $\\theta_{1}$'
@@ -123,7 +129,7 @@ def prose(text: str, names: Names) -> str:
         nonlocal plain
         lead, tail = plain[: len(plain) - len(plain.lstrip())], plain[len(plain.rstrip()) :]
         if plain.strip():
-            parts.append((" " if lead else "") + escape(plain) + (" " if tail else ""))
+            parts.append((" " if lead else "") + words(plain) + (" " if tail else ""))
         elif plain:
             parts.append(" ")
         plain = ""
@@ -147,6 +153,11 @@ def prose(text: str, names: Names) -> str:
             plain += token[0]
     flush()
     return "".join(parts).strip()
+
+
+def wrapped(text: str) -> str:
+    """A paragraph in lines of the source; nothing but blanks is touched."""
+    return textwrap.fill(text, _SOURCE_LINE, break_long_words=False, break_on_hyphens=False)
 
 
 def capital(sentence: str) -> str:

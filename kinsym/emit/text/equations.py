@@ -6,7 +6,7 @@ source.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from kinsym.algebra.convert import tree_of
@@ -50,8 +50,9 @@ if TYPE_CHECKING:
     from kinsym.kinematics.jacobian import Jacobian
 
 
-def _heading(text: str) -> str:
-    return f"{text}\n{'-' * len(text)}"
+def heading(text: str, rule: str = "-") -> str:
+    """A title with a rule of the same length under it."""
+    return f"{text}\n{rule * len(text)}"
 
 
 def _vector(vector: Vector, page: Page) -> str:
@@ -76,7 +77,8 @@ def table(robot: Robot, page: Page | None = None) -> str:
     if robot.home is not None:
         home = robot.home
         vectors = (("u0", home.u0), ("v0", home.v0), ("w0", home.w0), ("q0", home.q0))
-        parts.append("  home pose: " + ", ".join(f"{name} = {_vector(vector, page)}" for name, vector in vectors))
+        told = [f"{name} = {_vector(vector, page)}" for name, vector in vectors]
+        parts.append(page.listed("home pose:", told))
     for name, fixed in (("base", robot.base), ("tool", robot.tool)):
         if fixed is not None:
             cells_of = [[page.formula(tree_of(cell)) for cell in row] for row in fixed]
@@ -151,9 +153,10 @@ def jacobian(forward: Forward, jacobian: Jacobian, page: Page | None = None) -> 
     return "\n".join(parts)
 
 
-def _window(loop: Loop, letter: str, page: Page) -> str:
-    window = loop.window
-    name = f"T_{window.left}_{window.right}"
+def window(loop: Loop, letter: str, page: Page, *, entries: Sequence[Definition] | None = None) -> str:
+    """What a pose is made of and those of its entries that are read, or ``entries`` alone."""
+    own = loop.window
+    name = f"T_{own.left}_{own.right}"
     if loop.whole:
         head = page.prose(f"{name} is T without the constants before the first and after the last joint:")
     else:
@@ -161,16 +164,20 @@ def _window(loop: Loop, letter: str, page: Page) -> str:
         right = [f"{letter}{k}^-1" for k in loop.right]
         head = f"  {name} = {' '.join([*left, f'T_{loop.before[0]}_{loop.before[1]}', *right])}"
         if right:
-            head += "\n" + page.prose(f"without the constant that follows joint {window.right}:", indent=6)
-    return "\n".join([head, *(page.equation(item.name, item.value, indent=6) for item in window.definitions)])
+            head += "\n" + page.prose(f"without the constant that follows joint {own.right}:", indent=6)
+    shown = own.definitions if entries is None else entries
+    return "\n".join([head, *(page.equation(item.name, item.value, indent=6) for item in shown)])
 
 
-def _relation(relation: tuple[Tree, str, Tree], page: Page) -> str:
-    left, sign, right = relation
+def relation(parts: tuple[Tree, str, Tree], page: Page) -> str:
+    """A condition in one line."""
+    left, sign, right = parts
     return f"{page.formula(left)} {sign} {page.formula(right)}"
 
 
-def _step(step: Step, before: Step | None, page: Page) -> str:
+def step_text(step: Step, before: Step | None, page: Page | None = None) -> str:
+    """One step with all that a reader needs to repeat it; ``before`` is the one before it."""
+    page = page or Page()
     branches = f", {counted(step.branches, 'branch')}" if step.branches > 1 else ""
     lines = [f"  {step.number}. {step.unknown}: {rule_title(step.rule)}{branches}"]
     if step.why:
@@ -186,9 +193,9 @@ def _step(step: Step, before: Step | None, page: Page) -> str:
         note = f"    (branch {mark})" if mark else ""
         lines.append(page.equation(name, value, indent=8) + note)
     if step.condition is not None:
-        lines.append(f"      real if {_relation(step.condition, page)}")
+        lines.append(f"      real if {relation(step.condition, page)}")
     if step.degenerate is not None:
-        lines.append(f"      free if {_relation(step.degenerate, page)}")
+        lines.append(f"      free if {relation(step.degenerate, page)}")
     return "\n".join(lines)
 
 
@@ -219,9 +226,9 @@ def derivation_steps(derivation: Derivation, plan: Plan, page: Page | None = Non
             parts.append("\n".join(names))
             names = []
         if isinstance(item, Window):
-            parts.append(_window(windows[item.left, item.right], letter, page))
+            parts.append(window(windows[item.left, item.right], letter, page))
         else:
-            parts.append(_step(item, before, page))
+            parts.append(step_text(item, before, page))
             before = item
     return "\n\n".join([*parts, "\n".join(names)] if names else parts)
 
@@ -275,25 +282,31 @@ def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, f
     title = one_line(robot.title) or robot.name
     sections = [
         f"{title}\n{'=' * len(title)}",
-        f"{_heading(CONVENTIONS[robot.convention])}\n{table(robot, page)}",
-        f"{_heading('Parameters')}\n{parameters(robot)}",
-        f"{_heading('Notation')}\n{notation(derivation, page)}",
+        f"{heading(CONVENTIONS[robot.convention])}\n{table(robot, page)}",
+        f"{heading('Parameters')}\n{parameters(robot)}",
+        f"{heading('Notation')}\n{notation(derivation, page)}",
     ]
     if full or derivation.long:
-        sections.append(f"{_heading('Link transforms')}\n{links(robot, derivation.forward, page)}")
-    sections.append(f"{_heading('Forward kinematics')}\n{forward_kinematics(derivation, page)}")
+        sections.append(f"{heading('Link transforms')}\n{links(robot, derivation.forward, page)}")
+    sections.append(f"{heading('Forward kinematics')}\n{forward_kinematics(derivation, page)}")
     if full and not derivation.long:
-        sections.append(f"{_heading('Jacobian')}\n{jacobian(derivation.forward, derivation.jacobian, page)}")
+        sections.append(f"{heading('Jacobian')}\n{jacobian(derivation.forward, derivation.jacobian, page)}")
+    sections += inverse_sections(derivation, page)
+    poses = singular_poses(derivation.singular, derivation.families, page)
+    sections.append(f"{heading('Singular poses')}\n{poses}")
+    return "\n\n".join(sections) + "\n"
+
+
+def inverse_sections(derivation: Derivation, page: Page | None = None) -> Iterator[str]:
+    """The inverse kinematics: the nominal arm if there is one, the steps and the solutions."""
+    page = page or Page()
     if derivation.nominal is not None:
-        sections += _beside(derivation.nominal, page)
+        yield from _beside(derivation.nominal, page)
     if derivation.general is not None:
         title = "Inverse kinematics" if derivation.nominal is None else IN_DOUBT
-        sections.append(f"{_heading(title)}\n{general_steps(derivation, derivation.general, page)}")
-        sections.append(f"{_heading('Solutions')}\n  at most {counted(derivation.general.maximum, 'solution')}")
-    sections += _closed_form(derivation, "Inverse kinematics", page)
-    poses = singular_poses(derivation.singular, derivation.families, page)
-    sections.append(f"{_heading('Singular poses')}\n{poses}")
-    return "\n\n".join(sections) + "\n"
+        yield f"{heading(title)}\n{general_steps(derivation, derivation.general, page)}"
+        yield f"{heading('Solutions')}\n  at most {counted(derivation.general.maximum, 'solution')}"
+    yield from _closed_form(derivation, "Inverse kinematics", page)
 
 
 def _closed_form(derivation: Derivation, title: str, page: Page) -> Iterator[str]:
@@ -301,18 +314,18 @@ def _closed_form(derivation: Derivation, title: str, page: Page) -> Iterator[str
     plan = derivation.plan
     if plan is None:
         return
-    yield f"{_heading(title)}\n{derivation_steps(derivation, plan, page)}"
+    yield f"{heading(title)}\n{derivation_steps(derivation, plan, page)}"
     if found := joint_values(plan, page):
-        yield f"{_heading('Joint values')}\n{found}"
-    yield f"{_heading('Solutions')}\n{solutions(derivation, plan, page)}"
+        yield f"{heading('Joint values')}\n{found}"
+    yield f"{heading('Solutions')}\n{solutions(derivation, plan, page)}"
 
 
 def _beside(nominal: Nominal, page: Page) -> Iterator[str]:
     """The nominal arm, its closed form and its singular poses."""
     arm = nominal.derivation
-    yield f"{_heading(TITLE)}\n{nominal_arm(nominal, page)}"
-    yield f"{_heading('Table of the nominal arm')}\n{table(arm.robot, page)}\n\n{parameters(arm.robot)}"
-    yield f"{_heading('Its notation')}\n{notation(arm, page)}"
+    yield f"{heading(TITLE)}\n{nominal_arm(nominal, page)}"
+    yield f"{heading('Table of the nominal arm')}\n{table(arm.robot, page)}\n\n{parameters(arm.robot)}"
+    yield f"{heading('Its notation')}\n{notation(arm, page)}"
     yield from _closed_form(arm, NOMINAL, page)
     poses = singular_poses(arm.singular, arm.families, page)
-    yield f"{_heading(SINGULAR)}\n{poses}"
+    yield f"{heading(SINGULAR)}\n{poses}"

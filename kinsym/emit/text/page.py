@@ -29,7 +29,10 @@ class Page:
         head = f"{' ' * indent}{left} {relation} "
         room = self.width - len(head)
         if room < self.width // 3:
-            lines = [f"{' ' * indent}{left}"]
+            lines = [
+                f"{' ' * (indent + 2 * line.depth)}{line.text}"
+                for line in broken(left, self.width - indent, syntax=TEXT)
+            ]
             head = f"{' ' * (indent + 4)}{relation} "
             room = self.width - len(head)
         else:
@@ -41,6 +44,17 @@ class Page:
     def prose(self, text: str, *, indent: int = 2) -> str:
         """A sentence, filled."""
         return "\n".join(" " * indent + line for line in fill(text, self.width - indent))
+
+    def listed(self, head: str, items: Sequence[str], *, indent: int = 2) -> str:
+        """Items behind a head, parted by commas; a line is broken between two of them."""
+        lines = [" " * indent + head]
+        for number, item in enumerate(items):
+            word = item if number == len(items) - 1 else f"{item},"
+            if len(lines[-1]) + 1 + len(word) <= self.width or lines[-1].endswith(":"):
+                lines[-1] += f" {word}"
+            else:
+                lines.append(" " * (indent + 2) + word)
+        return "\n".join(lines)
 
     def columns(self, rows: Iterable[Sequence[str]], *, indent: int = 2) -> str:
         """Rows of cells in aligned columns."""

@@ -112,7 +112,7 @@ def _direct(state: State, first: LinearForm, second: LinearForm, determinant: Po
         solution=((angle.cosine, c), (angle.sine, s), (angle.name, value.value)),
         condition=None,
         degenerate=None,
-        why="cosine and sine follow from known quantities without a division that can vanish",
+        why="both follow from known quantities without a division that can vanish",
     )
     return Outcome((step, value), state.known.with_angle(edge(angle)))
 

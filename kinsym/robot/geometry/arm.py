@@ -52,10 +52,15 @@ class Axis:
 
 @dataclass(frozen=True, kw_only=True)
 class Arm:
-    """The joints from base to tip, and the tip's frame at home, all in the frame of the base."""
+    """The joints from base to tip, and the tip's frame at home, all in the frame of the base.
+
+    ``frames`` are at home those that a Denavit-Hartenberg table has: the base's and one after each row. An arm that
+    has no such table has the base's alone, or none.
+    """
 
     axes: tuple[Axis, ...]
     tip: Frame
+    frames: tuple[Frame, ...] = ()
 
     @property
     def size(self) -> Number:
@@ -132,11 +137,14 @@ class _Reader:
 
     def arm(self) -> Arm:
         base, tool = self.matrix(self.robot.base), self.matrix(self.robot.tool)
-        axes, tip = self.screws(base) if self.robot.convention is Convention.SCREW else self.links(base)
-        return Arm(axes=axes, tip=tip.then(tool))
+        if self.robot.convention is Convention.SCREW:
+            axes, tip = self.screws(base)
+            return Arm(axes=axes, tip=tip.then(tool), frames=(base,))
+        axes, frames = self.links(base)
+        return Arm(axes=axes, tip=frames[-1].then(tool), frames=frames)
 
-    def links(self, here: Frame) -> tuple[tuple[Axis, ...], Frame]:
-        axes = []
+    def links(self, here: Frame) -> tuple[tuple[Axis, ...], tuple[Frame, ...]]:
+        axes, frames = [], [here]
         for joint in self.robot.joints:
             link = turn("x", self.number(joint.alpha)).then(slide(self.number(joint.a), 0, 0))
             if self.robot.convention is Convention.CRAIG:
@@ -146,7 +154,8 @@ class _Reader:
             here = here.then(turn("z", self.number(joint.theta))).then(slide(0, 0, self.number(joint.d)))
             if self.robot.convention is Convention.PAUL:
                 here = here.then(link)
-        return tuple(axes), here
+            frames.append(here)
+        return tuple(axes), tuple(frames)
 
     def screws(self, base: Frame) -> tuple[tuple[Axis, ...], Frame]:
         axes = [

@@ -72,7 +72,9 @@ def main() -> None:
     parser.add_argument("--environment", type=Path, default=environment.FOLDER, help=f"where ({environment.FOLDER})")
     parser.add_argument("--arm", action="append", choices=tuple(ARMS), help="this arm alone (repeatable)")
     parser.add_argument("--turns", type=int, default=25, help="how often each entry is timed (25)")
-    parser.add_argument("--runs", type=int, default=2, help="cold processes for each arm (2)")
+    parser.add_argument(
+        "--runs", type=int, default=3, help="cold processes for each arm, the first of which compiles (3)"
+    )
     parser.add_argument("--crowd", type=int, default=CROWD, help=f"poses of the batches in Python ({CROWD})")
     parser.add_argument("--write", action="store_true", help="also write docs/performance.md and its plot")
     options = parser.parse_args()

@@ -38,7 +38,9 @@ def peer(name: str, arm: str, environment: Path, folder: Path) -> Cold:
 
 def _run(command: list[str]) -> Cold:
     before = _children()
-    alone = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+    # Compiled modules are kept, as on a user's machine: all libraries have theirs from the second run on.
+    usual = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+    alone = {**usual, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
     finished = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False, env=alone)
     taken = _children() - before
     if finished.returncode:

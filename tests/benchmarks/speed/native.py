@@ -15,7 +15,7 @@ from pathlib import Path
 
 #: What the header of the generated C recommends, and what a careful user writes who has not read it.
 PLAIN = "-O3 -std=c99"
-RECOMMENDED = "-O3 -std=c99 -march=native -fno-math-errno -fno-trapping-math"
+RECOMMENDED = "-O3 -march=native -fno-math-errno"
 COMPILERS = ("gcc", "clang")
 
 

@@ -1,0 +1,1 @@
+"""kinsym from Python: the functions and results that ``import kinsym`` offers."""
