@@ -36,6 +36,8 @@ DEFAULT_POSES = 3
 EDGE = 1e-9
 #: At one in so many poses next to singular ones a band ends between two languages' roundings.
 MORE_MARKS = 100
+#: How far the settling of a solution may move a free joint from its reference.
+CHOSEN = 1e-4
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -108,7 +110,11 @@ def _fits(marked: Any, q: Floats, reference: Floats, questions: Questions) -> bo
     special = bool(marked.free.any() or marked.border.any())
     status = "unreachable" if not len(q) else "singular" if special else "solved"
     free = bool((marked.family | ~marked.free).all())
-    return bool((gaps <= SAME).all()) and rising and inside and free and marked.status == status
+    # of several free joints the sum takes the reference's, one takes its own value but for what settling moves
+    alone = marked.free & (marked.free.sum(axis=1, keepdims=True) == 1)
+    chosen = np.abs(wrapped(marked.q - reference, questions.judge.revolute))[alone] <= CHOSEN
+    fits = rising and inside and free and bool(chosen.all())
+    return bool((gaps <= SAME).all()) and fits and marked.status == status
 
 
 def _limits(questions: Questions, rng: np.random.Generator) -> list[Floats | None]:
