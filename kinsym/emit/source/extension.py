@@ -98,8 +98,15 @@ def _names(schedule: Schedule) -> dict[str, Any]:
         "POSE": "T: ArrayLike",
         "FLOATS": _FLOATS,
         "BATCH": f"tuple[{_FLOATS}, NDArray[np.bool_]]",
+        "vanishing": _vanishing(schedule),
         **_example(schedule),
     }
+
+
+def _vanishing(schedule: Schedule) -> str:
+    """What is said of parameters with which something vanishes that must not, as a string of C."""
+    names = ", ".join(dict.fromkeys(name for item in schedule.nonzero for name in item.parameters))
+    return f'"a parameter vanishes that the equations take for granted, one of: {names}"'
 
 
 def _head(name: str, positional: list[str], keywords: list[str], result: str) -> str:
