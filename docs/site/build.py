@@ -39,6 +39,7 @@ MENU = {
     "Understand": {
         "docs/how_it_works.md": "How it works",
         "docs/lecture.md": "The lecture",
+        "docs/reliability.md": "Reliability",
         "docs/coverage.md": "Coverage",
         "docs/performance.md": "Performance",
     },

@@ -30,6 +30,7 @@ def run(page: str, folder: Path) -> None:
         "```python\nx, y = [[1, 2]], 3  # (m, 2), ()\n```",
         "<!-- not run: no machine has it -->\n```ada\nbegin\n```",
         "```text\nnothing\n```",
+        "It was written by\n\n    python -m tests.stress ur5\n",
     ],
 )
 def test_what_holds(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
