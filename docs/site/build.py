@@ -79,6 +79,7 @@ class Site:
         self.root = root
         self.markdown = MarkdownIt("commonmark").enable("table")
         self.markdown.add_render_rule("fence", _code)
+        self.markdown.add_render_rule("code_block", _code)
         self.markdown.add_render_rule("table_open", lambda *_: '<div class="wide"><table>\n')
         self.markdown.add_render_rule("table_close", lambda *_: "</table></div>\n")
         self.faults: list[str] = []
