@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from kinsym.check.batch import SINGLE_LAW, SINGLE_LIMIT, hold_batch
 from kinsym.check.control import hold_nearest, hold_status
 from kinsym.check.definition import hold_definition
+from kinsym.check.edges import Edges, edges, hold_edges, hold_same_edges
 from kinsym.check.interface import Questions, hold_interface, hold_same_marks
 from kinsym.check.laws import CLOSURE, COPY, FORWARD, PATH, SAME, Judge, malformed, outward
 from kinsym.check.ledger import Ledger
@@ -34,13 +35,16 @@ from kinsym.check.poses import (
     Counts,
     generator,
     held_samples,
+    lengths_of,
     wrapped,
 )
+from kinsym.check.shapes import hold_shapes
 from kinsym.check.singular import volume_of
 from kinsym.check.singular_set import hold_singular_set
 from kinsym.check.solvers import CSolver, ExactSolver, Floats, NumpySolver, Solutions, Solver, TreeKinematics
 from kinsym.check.table import TableKinematics
 from kinsym.check.task import sifted, task_jacobian
+from kinsym.check.vanishing import Special, hold_special, special_values
 from kinsym.emit.schedule import Schedule
 from kinsym.robot.model import Robot, Task
 
@@ -53,6 +57,8 @@ FAR_POSES = 12
 NOISE_POSES = 60
 SET_POSES = 40
 MARKED_POSES, SPECIAL_POSES = 12, 36
+#: The sequence of random numbers for special values of the parameters.
+SPECIAL_VALUES = 2000
 
 #: Nearer to a singular pose than this, double roots merge (within 2 sqrt(2 tau)) and angles are soft.
 MERGED = 1e-6
@@ -106,7 +112,7 @@ class Examination:
         ledger: Ledger,
     ) -> None:
         self.schedule, self.ledger, self.targets, self.counts = schedule, ledger, targets, counts
-        self.parameters = parameters
+        self.robot, self.number, self.parameters = robot, number, parameters
         self.rng = generator(schedule.digest, number)
         self.table = TableKinematics(robot, parameters)
         self.kinematics = TreeKinematics(schedule, parameters)
@@ -129,6 +135,8 @@ class Examination:
         self._rows = self.rng.permutation(len(self.q))[:TABLE_POSES]
         #: What each target says of the poses in :attr:`_questions`.
         self._marks: dict[str, list[Any]] = {}
+        #: Each target's answers to the poses in :attr:`_edges`.
+        self._beside: dict[str, Solutions] = {}
 
     def run(self) -> None:
         """Every law on every target."""
@@ -164,6 +172,8 @@ class Examination:
             if isinstance(target, NumpySolver):
                 self._single(target, some[:SINGLE_POSES])
                 self._sweep(target, some[:SINGLE_POSES])
+                general = self.schedule.general is not None
+                hold_shapes(self.ledger, target, poses=self.poses, q=self.q, general=general)
             if isinstance(target, CSolver):
                 hold_batch(self.ledger, target, self.judge, poses=self.poses, q=self.q, noisy=self._noisy_poses)
             if isinstance(target, NumpySolver | CSolver):
@@ -171,6 +181,9 @@ class Examination:
                 rng = deepcopy(self.rng)
                 hold_nearest(self.ledger, target, self.judge, poses=self.poses[some], q=self.q[some], rng=rng)
                 self._marks[target.name] = hold_interface(self.ledger, target, self._questions, rng)
+                self._beside[target.name] = hold_edges(self.ledger, target, self.judge, self._edges)
+                if self.number == 0:
+                    hold_special(self.ledger, target, self._special)
         except Exception as error:  # generated code that was edited may raise anything
             self.ledger.fail(ERROR_LAW, target.name, f"{type(error).__name__}: {error}")
             return None
@@ -179,13 +192,16 @@ class Examination:
     def hold_agreement(self, oracle: Solutions, answers: Mapping[str, Solutions]) -> None:
         """Whether the targets' answers agree with each other and with the exact walk's."""
         uniform = self.samples.of(UNIFORM)
-        hold_status(self.ledger, self.targets, answers, poses=self.poses, q=self.q, uniform=uniform, which=self.some)
+        poses, size, some = self.poses, self.kinematics.size, self.some
+        hold_status(self.ledger, self.targets, answers, poses=poses, q=self.q, size=size, uniform=uniform, which=some)
         for name in list(answers)[1:]:
             own = next(iter(answers))
             self._agree(f"{own} and {name}", answers[own], answers[name], self.every)
             if own in self._marks and name in self._marks:
                 plain = self._questions.plain
                 hold_same_marks(self.ledger, f"{own} and {name}", self._marks[own], self._marks[name], plain)
+            if own in self._beside and name in self._beside:
+                hold_same_edges(self.ledger, f"{own} and {name}", self._beside[own], self._beside[name])
         for name, (q, count) in answers.items():
             self._agree(f"exact walk and {name}", oracle, (q[self.some], count[self.some]), self.some)
 
@@ -209,6 +225,19 @@ class Examination:
         return Questions(
             schedule=self.schedule, judge=self.judge, poses=self.poses[rows], q=self.q[rows], plain=uniform[rows]
         )
+
+    @cached_property
+    def _edges(self) -> Edges:
+        """Poses on both sides of borders; of an arm without a closed form none."""
+        exactly = self.samples.of(SINGULAR) & (self.samples.offset == 0.0) & (self.schedule.general is None)
+        return edges(self.judge, self.schedule.task, self.q[exactly])
+
+    @cached_property
+    def _special(self) -> list[Special]:
+        """Poses at special values of the parameters."""
+        rng = generator(self.schedule.digest, SPECIAL_VALUES)
+        every = special_values(self.schedule, self.parameters, lengths_of(self.robot))
+        return [Special(self.schedule, values, self.q, self.judge, rng) for values in every]
 
     @property
     def _length(self) -> float:

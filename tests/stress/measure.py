@@ -26,7 +26,7 @@ from kinsym.check.tracing import Tracer
 from kinsym.derivation import Derivation
 from kinsym.emit.program import build_schedule
 from kinsym.emit.text.formula import TextPrinter
-from tests.stress.borders import borders, moved
+from kinsym.check.borders import borders, moved
 from tests.stress.library import Library
 from tests.stress.sets import Postures
 
