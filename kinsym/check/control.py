@@ -65,10 +65,11 @@ def hold_status(
     size: float,
     uniform: NDArray[np.bool_],
     which: NDArray[np.intp],
+    singular: NDArray[np.intp],
 ) -> None:
     """The status of each language fits its answer, and all say the same of poses that are not next to a border.
 
-    ``size`` is that of the arm; some poses are asked for far beyond it.
+    ``size`` is that of the arm; some poses are asked for far beyond it. The rows ``singular`` are exactly so.
     """
     said: dict[str, list[str]] = {}
     far = outward(poses[:FAR], size)
@@ -80,14 +81,16 @@ def hold_status(
         try:
             beyond = np.flatnonzero(target.inverse(far, q[: len(far)])[1] == 0)
             missed = [target.status(far[row], q[row]) for row in beyond]
+            special = [target.status(poses[row], q[row]) for row in singular]
             told = [target.status(poses[row], q[row]) for row in which]
             refused = [target.status(case, q[0]) for case in cases]
         except Exception as error:  # generated code that was edited may raise anything
             ledger.fail(STATUS_LAW, target.name, f"{type(error).__name__}: {error}")
             continue
         wrong = sum(bool(count[row]) == (word == "unreachable") for row, word in zip(which, told, strict=True))
-        wrong += sum(word != "not a pose" for word in refused) + sum(word != "unreachable" for word in missed)
-        ledger.count(STATUS_LAW, target.name, len(which) + len(cases) + len(missed), wrong)
+        expected = [(refused, "not a pose"), (missed, "unreachable"), (special, "singular")]
+        wrong += sum(word != right for words, right in expected for word in words)
+        ledger.count(STATUS_LAW, target.name, len(which) + sum(len(words) for words, _ in expected), wrong)
         said[target.name] = told
     for name in list(said)[1:]:
         own, first = next(iter(said.items()))

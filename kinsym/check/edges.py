@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinsym.check.borders import borders, moved
-from kinsym.check.laws import CLOSURE, Judge
+from kinsym.check.laws import CLOSURE, SAME, Judge
 from kinsym.check.ledger import Ledger
 from kinsym.check.poses import wrapped
 from kinsym.check.solvers import Floats, Solutions, Solver
@@ -21,6 +21,7 @@ from kinsym.robot.model import Task
 
 EDGE_LAW = "solved on both sides of a border"
 EDGE_AGREE_LAW = "same numbers of solutions on both sides of a border"
+ROUGH_LAW = "same solutions of poses known to seven digits"
 
 #: In units of the arm; inside, then outside.
 INSIDE = (1.7e-14, 3e-14, 1.5e-13, 6e-13, 1e-11, 1e-9, 1e-7, 1e-5)
@@ -67,12 +68,29 @@ def hold_edges(ledger: Ledger, target: Solver, judge: Judge, at: Edges) -> Solut
         broken |= ((angles <= -np.pi) | (angles > np.pi)).any(axis=(1, 2))
     wide = replace(judge, path=max(judge.path, PATH))
     broken[at.inside] |= ~wide.found(q[at.inside], at.q[at.inside], at.poses[at.inside])
-    ledger.count(EDGE_LAW, target.name, len(q), int(broken.sum()) + judge.copies(q))
+    if len(q):
+        ledger.count(EDGE_LAW, target.name, len(q), int(broken.sum()) + judge.copies(q))
     return q, count
 
 
 def hold_same_edges(ledger: Ledger, subject: str, left: Solutions, right: Solutions) -> None:
     """Two languages answer with the same numbers of solutions but for a few at the ends of a band."""
-    other = int((left[1] != right[1]).sum())
-    tried = len(left[1])
-    ledger.count(EDGE_AGREE_LAW, subject, tried, max(0, other - 1 - tried // SHARE), limit=f"but for 1 in {SHARE}")
+    if len(left[1]):
+        _count(ledger, EDGE_AGREE_LAW, subject, left[1] != right[1])
+
+
+def hold_same_rough(ledger: Ledger, subject: str, left: Solutions, right: Solutions, judge: Judge) -> None:
+    """Two languages have the same solutions of poses whose rotations are known to few digits.
+
+    A pose says less than its solutions then, and any of them near it would do; of the same equations they are the same.
+    """
+    (a, _), (b, _) = left, right
+    with np.errstate(invalid="ignore"):
+        apart = np.abs(wrapped(a - b, judge.revolute)).max(axis=-1)
+    there = np.arange(a.shape[1]) < left[1][:, None]
+    _count(ledger, ROUGH_LAW, subject, (left[1] != right[1]) | (there & ~(apart <= SAME)).any(axis=1))
+
+
+def _count(ledger: Ledger, law: str, subject: str, other: NDArray[np.bool_]) -> None:
+    failed = max(0, int(other.sum()) - 1 - len(other) // SHARE)
+    ledger.count(law, subject, len(other), failed, limit=f"but for 1 in {SHARE}")

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from kinsym.check.batch import SINGLE_LAW, SINGLE_LIMIT, hold_batch
 from kinsym.check.control import hold_nearest, hold_status
 from kinsym.check.definition import hold_definition
-from kinsym.check.edges import Edges, edges, hold_edges, hold_same_edges
+from kinsym.check.edges import Edges, edges, hold_edges, hold_same_edges, hold_same_rough
 from kinsym.check.interface import Questions, hold_interface, hold_same_marks
 from kinsym.check.laws import CLOSURE, COPY, FORWARD, PATH, SAME, Judge, malformed, outward
 from kinsym.check.ledger import Ledger
@@ -57,6 +57,8 @@ FAR_POSES = 12
 NOISE_POSES = 60
 SET_POSES = 40
 MARKED_POSES, SPECIAL_POSES = 12, 36
+#: Of the usual volume, what is left of it where a closed form must call its pose singular.
+LAST_DIGITS = 3e-15
 #: The sequence of random numbers for special values of the parameters.
 SPECIAL_VALUES = 2000
 
@@ -76,6 +78,8 @@ MISSED = 100
 ORDINARY = 1e-12
 
 NOISE = 1e-9
+#: Known to so few digits nearly every root is made sure of.
+ROUGH, ROUGH_POSES = 2e-7, 24
 #: Solutions whose volume is below this share of the usual one may be points of a curve of solutions.
 REGULAR = 1e-3
 
@@ -131,12 +135,15 @@ class Examination:
         #: Those that the exact walk sees, which is slow.
         self.some = self.every[:: max(1, len(self.every) // counts.exact)]
         self._slopes = self.rng.permutation(len(self.q))[:JACOBIAN_POSES]
-        self._noisy_poses = self._noisy()
+        self._noisy_poses = self._noisy(self.poses[:NOISE_POSES], NOISE)
+        self._rough_poses = self._noisy(self.poses[:ROUGH_POSES], ROUGH)
         self._rows = self.rng.permutation(len(self.q))[:TABLE_POSES]
         #: What each target says of the poses in :attr:`_questions`.
         self._marks: dict[str, list[Any]] = {}
         #: Each target's answers to the poses in :attr:`_edges`.
         self._beside: dict[str, Solutions] = {}
+        #: Each target's answers to the poses in :attr:`_rough_poses`.
+        self._rough: dict[str, Solutions] = {}
 
     def run(self) -> None:
         """Every law on every target."""
@@ -182,6 +189,8 @@ class Examination:
                 hold_nearest(self.ledger, target, self.judge, poses=self.poses[some], q=self.q[some], rng=rng)
                 self._marks[target.name] = hold_interface(self.ledger, target, self._questions, rng)
                 self._beside[target.name] = hold_edges(self.ledger, target, self.judge, self._edges)
+                if not (self.schedule.general or sifted(self.schedule)):
+                    self._rough[target.name] = target.inverse(self._rough_poses, self.q[: len(self._rough_poses)])
                 if self.number == 0:
                     hold_special(self.ledger, target, self._special)
         except Exception as error:  # generated code that was edited may raise anything
@@ -192,8 +201,17 @@ class Examination:
     def hold_agreement(self, oracle: Solutions, answers: Mapping[str, Solutions]) -> None:
         """Whether the targets' answers agree with each other and with the exact walk's."""
         uniform = self.samples.of(UNIFORM)
-        poses, size, some = self.poses, self.kinematics.size, self.some
-        hold_status(self.ledger, self.targets, answers, poses=poses, q=self.q, size=size, uniform=uniform, which=some)
+        hold_status(
+            self.ledger,
+            self.targets,
+            answers,
+            poses=self.poses,
+            q=self.q,
+            size=self.kinematics.size,
+            uniform=uniform,
+            which=self.some,
+            singular=self._exactly,
+        )
         for name in list(answers)[1:]:
             own = next(iter(answers))
             self._agree(f"{own} and {name}", answers[own], answers[name], self.every)
@@ -202,6 +220,8 @@ class Examination:
                 hold_same_marks(self.ledger, f"{own} and {name}", self._marks[own], self._marks[name], plain)
             if own in self._beside and name in self._beside:
                 hold_same_edges(self.ledger, f"{own} and {name}", self._beside[own], self._beside[name])
+            if own in self._rough and name in self._rough:
+                hold_same_rough(self.ledger, f"{own} and {name}", self._rough[own], self._rough[name], self.judge)
         for name, (q, count) in answers.items():
             self._agree(f"exact walk and {name}", oracle, (q[self.some], count[self.some]), self.some)
 
@@ -229,8 +249,16 @@ class Examination:
     @cached_property
     def _edges(self) -> Edges:
         """Poses on both sides of borders; of an arm without a closed form none."""
-        exactly = self.samples.of(SINGULAR) & (self.samples.offset == 0.0) & (self.schedule.general is None)
-        return edges(self.judge, self.schedule.task, self.q[exactly])
+        return edges(self.judge, self.schedule.task, self.q[self._exactly])
+
+    @cached_property
+    def _exactly(self) -> Rows:
+        """The samples at which the task loses a motion to the last digits; of an arm without a closed form none."""
+        aimed = np.flatnonzero(self.samples.of(SINGULAR) & (self.samples.offset == 0.0))
+        if self.schedule.general or not len(aimed):
+            return aimed[:0]
+        usual = float(np.median(self._volume(self.q[self.samples.of(UNIFORM)])))
+        return aimed[self._volume(self.q[aimed]) <= LAST_DIGITS * usual]
 
     @cached_property
     def _special(self) -> list[Special]:
@@ -358,9 +386,9 @@ class Examination:
         wrong = (answer[1] != wanted) | ~(self._closures(answer, far) <= CLOSURE)
         self.ledger.count(FAR_LAW, solver.name, len(far), int(wrong.sum()))
 
-    def _noisy(self) -> Floats:
-        noisy = self.poses[:NOISE_POSES].copy()
-        noisy[:, :3, :3] += self.rng.uniform(-NOISE, NOISE, (len(noisy), 3, 3))
+    def _noisy(self, poses: Floats, size: float) -> Floats:
+        noisy = poses.copy()
+        noisy[:, :3, :3] += self.rng.uniform(-size, size, (len(noisy), 3, 3))
         return noisy
 
     def _noise(self, solver: Solver, noisy: Floats) -> None:
