@@ -20,6 +20,8 @@ STATUS_AGREE_LAW = "same status"
 SPREAD = 3.0
 #: So many poses lie beyond the reach, unless slides take the arm there.
 FAR = 4
+#: Of the singular poses of one choice of parameters rounding may hide so many.
+ROUNDED = 1
 #: A worse answer than the best by this share is a wrong one: nine digits are a tie.
 WORSE = 1e-6
 
@@ -88,9 +90,9 @@ def hold_status(
             ledger.fail(STATUS_LAW, target.name, f"{type(error).__name__}: {error}")
             continue
         wrong = sum(bool(count[row]) == (word == "unreachable") for row, word in zip(which, told, strict=True))
-        expected = [(refused, "not a pose"), (missed, "unreachable"), (special, "singular")]
-        wrong += sum(word != right for words, right in expected for word in words)
-        ledger.count(STATUS_LAW, target.name, len(which) + sum(len(words) for words, _ in expected), wrong)
+        wrong += sum(word != "not a pose" for word in refused) + sum(word != "unreachable" for word in missed)
+        wrong += max(0, sum(word != "singular" for word in special) - ROUNDED)
+        ledger.count(STATUS_LAW, target.name, len(which) + len(cases) + len(missed) + len(special), wrong)
         said[target.name] = told
     for name in list(said)[1:]:
         own, first = next(iter(said.items()))

@@ -57,8 +57,9 @@ FAR_POSES = 12
 NOISE_POSES = 60
 SET_POSES = 40
 MARKED_POSES, SPECIAL_POSES = 12, 36
-#: Of the usual volume, what is left of it where a closed form must call its pose singular.
-LAST_DIGITS = 3e-15
+#: A closed form must call a pose singular where the least singular value is so small a share of the largest, and the
+#: next one so large that rounding is seldom made larger than the tolerance on its way to the step that finds it.
+LAST_DIGITS, FIRM = 3e-15, 0.02
 #: The sequence of random numbers for special values of the parameters.
 SPECIAL_VALUES = 2000
 
@@ -231,9 +232,12 @@ class Examination:
         return {kind: int(self.samples.of(kind).sum()) for kind in kinds}
 
     def _volume(self, q: Floats) -> Floats:
+        return volume_of(self._slope(q)[..., self.kinematics.free])
+
+    def _slope(self, q: Floats) -> Floats:
+        """The task's Jacobians (m, k, n) of joint vectors (m, n)."""
         pose, jacobian = self.kinematics.forward(q), self.kinematics.jacobian(q)
-        slope = task_jacobian(jacobian, pose, self.schedule.task, self.kinematics.size)
-        return volume_of(slope[..., self.kinematics.free])
+        return task_jacobian(jacobian, pose, self.schedule.task, self.kinematics.size)
 
     @cached_property
     def _questions(self) -> Questions:
@@ -249,16 +253,20 @@ class Examination:
     @cached_property
     def _edges(self) -> Edges:
         """Poses on both sides of borders; of an arm without a closed form none."""
-        return edges(self.judge, self.schedule.task, self.q[self._exactly])
+        aimed = self.samples.of(SINGULAR) & (self.samples.offset == 0.0) & (self.schedule.general is None)
+        return edges(self.judge, self.schedule.task, self.q[aimed])
 
     @cached_property
     def _exactly(self) -> Rows:
-        """The samples at which the task loses a motion to the last digits; of an arm without a closed form none."""
+        """The samples at which the task loses one motion to the last digits; of an arm without a closed form none."""
         aimed = np.flatnonzero(self.samples.of(SINGULAR) & (self.samples.offset == 0.0))
         if self.schedule.general or not len(aimed):
             return aimed[:0]
-        usual = float(np.median(self._volume(self.q[self.samples.of(UNIFORM)])))
-        return aimed[self._volume(self.q[aimed]) <= LAST_DIGITS * usual]
+        unit = np.where(self.judge.revolute, 1.0, self._length)[self.kinematics.free]
+        slopes = self._slope(self.q[aimed])[..., self.kinematics.free] * unit
+        height = np.linalg.svd(slopes, compute_uv=False)
+        alone = (height[:, -2:-1] > FIRM * height[:, :1]).all(axis=1)
+        return aimed[alone & (height[:, -1] <= LAST_DIGITS * height[:, 0])]
 
     @cached_property
     def _special(self) -> list[Special]:

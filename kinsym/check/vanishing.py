@@ -16,7 +16,6 @@ from kinsym.check.laws import CLOSURE, Judge
 from kinsym.check.ledger import Ledger
 from kinsym.check.poses import uniform, wrapped
 from kinsym.check.solvers import CSolver, Floats, NumpySolver, TreeKinematics
-from kinsym.check.task import sifted
 from kinsym.emit.schedule import Schedule
 
 Values = Mapping[str, Fraction]
@@ -43,7 +42,9 @@ def special_values(schedule: Schedule, values: Values, lengths: frozenset[str]) 
 class Special:
     """Poses (m, 4, 4) of joint vectors q (m, n) at special values of the parameters, ordinary ones first."""
 
-    def __init__(self, schedule: Schedule, values: Values, given: Floats, judge: Judge, rng: np.random.Generator) -> None:
+    def __init__(
+        self, schedule: Schedule, values: Values, given: Floats, judge: Judge, rng: np.random.Generator
+    ) -> None:
         kinematics = TreeKinematics(schedule, values)
         self.schedule, self.values = schedule, values
         self.judge = Judge(kinematics, schedule.task, judge.revolute, judge.tau, judge.path)
