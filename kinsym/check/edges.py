@@ -62,7 +62,7 @@ def hold_edges(ledger: Ledger, target: Solver, judge: Judge, at: Edges) -> Solut
     """Every solution reaches its pose, none comes twice, and inside the known vector is found; returns the answer."""
     q, count = target.inverse(at.poses, at.q)
     closures = judge.closures(q, at.poses)
-    broken = ~((closures <= CLOSURE) | (np.arange(q.shape[1]) >= count[:, None])).all(axis=1)
+    broken = np.asarray(~((closures <= CLOSURE) | (np.arange(q.shape[1]) >= count[:, None])).all(axis=1))
     angles = q[..., judge.revolute & judge.kinematics.free]
     with np.errstate(invalid="ignore"):
         broken |= ((angles <= -np.pi) | (angles > np.pi)).any(axis=(1, 2))
