@@ -25,11 +25,11 @@ ROUGH_LAW = "same solutions of poses known to seven digits"
 
 #: In units of the arm; inside, then outside.
 INSIDE = (1.7e-14, 3e-14, 1.5e-13, 6e-13, 1e-11, 1e-9, 1e-7, 1e-5)
-OUTSIDE = (3e-15, 3e-14, 1.5e-13, 6e-13, 1e-11, 1e-9, 1e-7, 1e-5)
+OUTSIDE = (3e-14, 1.5e-13, 6e-13, 5e-12, 3e-11, 3e-10, 1e-8, 1e-5)
 #: Postures on borders of which all depths are tried, and the closure on a way between two vectors of one double root.
 POSTURES, PATH = 6, 1e-8
 #: At one in so many poses a band ends between two languages' roundings.
-SHARE = 50
+SHARE = 100
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -253,8 +253,10 @@ class Examination:
     @cached_property
     def _edges(self) -> Edges:
         """Poses on both sides of borders; of an arm without a closed form none."""
-        aimed = self.samples.of(SINGULAR) & (self.samples.offset == 0.0) & (self.schedule.general is None)
-        return edges(self.judge, self.schedule.task, self.q[aimed])
+        exactly = (self.samples.offset == 0.0) & (self.schedule.general is None)
+        # arms that are folded or stretched stand at quarter turns, if anywhere
+        aimed = [self.q[exactly & self.samples.of(kind)] for kind in (QUARTER, SINGULAR)]
+        return edges(self.judge, self.schedule.task, np.concatenate(aimed))
 
     @cached_property
     def _exactly(self) -> Rows:
