@@ -21,7 +21,7 @@ from tests.laws.laws import LAWS
 from tests.laws.robots import tables
 from tests.laws.tables import Table
 
-EXAMPLES = 20
+EXAMPLES = 10
 
 
 def keeps(law: str, target: str, start: int) -> tuple[int, str]:
