@@ -14,7 +14,7 @@ from tests.laws.tables import Table
 
 
 @pytest.mark.parametrize("law", LAWS)
-@settings(max_examples=8)
+@settings(max_examples=5)
 @given(table=tables(), seed=st.integers(0, 999))
 def test_random_arms_keep_the_law(law: str, table: Table, seed: int) -> None:
     LAWS[law](table, "numpy", np.random.default_rng(seed))
@@ -22,7 +22,7 @@ def test_random_arms_keep_the_law(law: str, table: Table, seed: int) -> None:
 
 @needs_compiler
 @pytest.mark.parametrize("law", ["closure", "completeness"])
-@settings(max_examples=3)
+@settings(max_examples=2)
 @given(table=tables(), seed=st.integers(0, 999))
 def test_the_same_in_c(law: str, table: Table, seed: int) -> None:
     LAWS[law](table, "c", np.random.default_rng(seed))
