@@ -101,15 +101,15 @@ def joint_vectors(name: str, count: int, seed: int) -> np.ndarray:
 
 @pytest.mark.parametrize("name", ARMS)
 def test_no_solution_is_lost_at_random_poses(name: str) -> None:
-    """Against the general solver: some 6000 solutions an arm; they reach the pose to 1e-12 by the table itself."""
+    """Against the general solver: some 2000 solutions an arm; they reach the pose to 1e-12 by the table itself."""
     arm = solved(name)
-    q = joint_vectors(name, 800, 1)
+    q = joint_vectors(name, 250, 1)
     poses = arm.module.fk(q)
     found, valid = arm.module.ik_batch(poses)
     wanted, there = arm.general.ik_batch(poses)
-    assert lacking(q[:, None], np.ones((800, 1), bool), found, valid) == 0
+    assert lacking(q[:, None], np.ones((250, 1), bool), found, valid) == 0
     assert lacking(wanted, there, found, valid) == 0
-    assert there.sum() > 800
+    assert there.sum() > 250
     true = arm_of(arm.derivation.robot)
     entries = (slice(0, 3), [2, 3]) if name == "five" else slice(0, 3)
     for pose, row in zip(*np.nonzero(valid[:5]), strict=True):
@@ -148,8 +148,8 @@ def test_most_random_poses_need_no_general_solver(name: str) -> None:
 @pytest.mark.parametrize("name", ARMS)
 def test_the_languages_and_the_elimination_agree(name: str, tmp_path: Path) -> None:
     arm = solved(name)
-    q = joint_vectors(name, 4, 2)
-    q[2:, 4 if name != "five" else 3] = 1e-9
+    q = joint_vectors(name, 2, 2)
+    q[1:, 4 if name != "five" else 3] = 1e-9
     exact = ExactSolver(arm.schedule, {})
     poses = exact.forward(q)
     oracle, count = exact.inverse(poses, q)
@@ -260,8 +260,8 @@ def test_what_has_no_use_for_it_is_refused(robot: object, message: str) -> None:
 def test_the_command_writes_and_repeats_its_checks(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(compare, "SLOWLY", 4)
-    monkeypatch.setattr(compare, "FULL", Counts(uniform=60, quarter=24, singular=36, pair=8))
+    monkeypatch.setattr(compare, "SLOWLY", 2)
+    monkeypatch.setattr(compare, "FULL", Counts(uniform=24, quarter=12, singular=18, pair=4))
     command = ["derive", "--dh", PUMA, "--convention", "paul", "--name", "puma", "--exact", "--nominal"]
     assert main([*command, "--target", "numpy", "-o", str(tmp_path)]) == 0
     shown = capsys.readouterr().out

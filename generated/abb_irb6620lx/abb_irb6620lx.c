@@ -24,15 +24,16 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
 double sqrt(double) __attribute__((const)); /* the library's own declaration lets it write errno */
 #endif
 
-const abb_irb6620lx_params abb_irb6620lx_defaults = {
+KINSYM_DATA const abb_irb6620lx_params abb_irb6620lx_defaults = {
     0.458, /* a1 */
     0.975, /* a2 */
     0.2, /* a3 */
@@ -43,7 +44,7 @@ const abb_irb6620lx_params abb_irb6620lx_defaults = {
 #ifdef ABB_IRB6620LX_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -55,7 +56,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -92,7 +93,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -100,28 +102,29 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The angle half a turn away, in (-pi, pi]; what is too small to be seen beside pi counts as 0. */
-static inline double half_turn(double angle)
+KINSYM_FN static inline double half_turn(double angle)
 {
     const double pi = 3.141592653589793;
     return angle + (angle > 2.220446049250313e-16 ? -pi : pi);
 }
 
 /* The opposite angle in (-pi, pi]. */
-static inline double opposite(double angle)
+KINSYM_FN static inline double opposite(double angle)
 {
     const double pi = 3.141592653589793;
     return angle < pi ? -angle : angle;
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void abb_irb6620lx_fk(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx_params *p, double T[16])
+KINSYM_FN void abb_irb6620lx_fk(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx_params *p,
+    double T[16])
 {
     if (p == NULL) {
         p = &abb_irb6620lx_defaults;
@@ -162,7 +165,7 @@ void abb_irb6620lx_fk(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx_
     const double p36_x = c4 * p46_x;
     const double p36_y = s4 * p46_x;
     const double p36_z = p46_y + d4;
-    const double sum1 = a3 + p36_x;
+    const double sum1 = p36_x + a3;
 
     T[0] = c23 * u36_x + s23 * u46_y;
     T[1] = c23 * v36_x + s23 * v46_y;
@@ -182,7 +185,7 @@ void abb_irb6620lx_fk(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx_
     T[15] = 1.0;
 }
 
-void abb_irb6620lx_jacobian(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx_params *p,
+KINSYM_FN void abb_irb6620lx_jacobian(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx_params *p,
     double J[6 * ABB_IRB6620LX_JOINTS])
 {
     if (p == NULL) {
@@ -207,54 +210,54 @@ void abb_irb6620lx_jacobian(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6
     const double c5 = cos(theta5);
     const double s5 = sin(theta5);
     const double product1 = a2 * c2;
-    const double sum2 = a1 + product1;
+    const double sum2 = product1 + a1;
     const double product2 = c4 * s5;
-    const double product4 = d6 * product2;
-    const double sum5 = a3 - product4;
-    const double product5 = c5 * d6;
-    const double sum6 = d4 + product5;
+    const double product8 = d6 * product2;
+    const double sum5 = a3 - product8;
+    const double product4 = d6 * c5;
+    const double sum6 = product4 + d4;
     const double oE_x = sum2 + c23 * sum5 + s23 * sum6;
     const double product3 = a2 * s2;
     const double oE_y = product3 + s23 * sum5 - c23 * sum6;
-    const double product6 = s4 * s5;
-    const double oE_z = d1 - product6 * d6;
+    const double product5 = s5 * s4;
+    const double oE_z = d1 - product5 * d6;
     const double o3_x = sum2;
     const double o3_y = product3;
-    const double product7 = a3 * c23;
-    const double sum7 = product7 + sum2;
-    const double o4_x = sum7;
-    const double product8 = a3 * s23;
-    const double sum8 = product3 + product8;
-    const double o4_y = sum8;
+    const double product6 = c23 * a3;
+    const double sum8 = product6 + sum2;
+    const double o4_x = sum8;
+    const double product7 = s23 * a3;
+    const double sum7 = product3 + product7;
+    const double o4_y = sum7;
     const double z5_x = c23 * s4;
     const double z5_y = s23 * s4;
-    const double o5_x = sum7 + d4 * s23;
-    const double o5_y = sum8 - d4 * c23;
+    const double o5_x = sum8 + d4 * s23;
+    const double o5_y = sum7 - d4 * c23;
     const double z6_x = s23 * c5 - product2 * c23;
     const double z6_y = -c23 * c5 - product2 * s23;
-    const double z6_z = -product6;
+    const double z6_z = -product5;
     const double sum1 = d1 - oE_z;
-    const double sum3 = o5_y - oE_y;
-    const double sum4 = o5_x - oE_x;
+    const double sum3 = oE_y - o5_y;
+    const double sum4 = oE_x - o5_x;
 
     J[0] = 0.0;
     J[1] = -oE_y;
     J[2] = -oE_y + o3_y;
     J[3] = c23 * sum1;
-    J[4] = -z5_y * sum1 - c4 * sum3;
-    J[5] = -z6_y * sum1 + z6_z * sum3;
+    J[4] = -z5_y * sum1 + c4 * sum3;
+    J[5] = -z6_y * sum1 - z6_z * sum3;
     J[6] = 0.0;
     J[7] = oE_x - a1;
     J[8] = oE_x - o3_x;
     J[9] = s23 * sum1;
-    J[10] = c4 * sum4 + z5_x * sum1;
-    J[11] = -z6_z * sum4 + z6_x * sum1;
+    J[10] = -c4 * sum4 + z5_x * sum1;
+    J[11] = z6_z * sum4 + z6_x * sum1;
     J[12] = 1.0;
     J[13] = 0.0;
     J[14] = 0.0;
     J[15] = s23 * (oE_y - o4_y) + c23 * (oE_x - o4_x);
-    J[16] = -z5_x * sum3 + z5_y * sum4;
-    J[17] = -z6_x * sum3 + z6_y * sum4;
+    J[16] = z5_x * sum3 - z5_y * sum4;
+    J[17] = z6_x * sum3 - z6_y * sum4;
     J[18] = 0.0;
     J[19] = 0.0;
     J[20] = 0.0;
@@ -286,7 +289,8 @@ void abb_irb6620lx_jacobian(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6
 #define NEAR 67108864.0
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2],
+    int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
@@ -307,8 +311,8 @@ static int solve_homogeneous(double a, double b, double t, double reference, dou
 /* Two links l1, l2 that reach (x, y). The second link has the components k along the first link and w across
  * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. Out of reach
  * there is none, but just out of it, or anywhere if loose, one in doubt. */
-static int solve_triangle(double x, double y, double l1, double l2, double t, int loose,
-                          double *k, double w[2], double *along, int mark[2])
+KINSYM_FN static int solve_triangle(double x, double y, double l1, double l2, double t, int loose, double *k,
+    double w[2], double *along, int mark[2])
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -337,8 +341,8 @@ static int solve_triangle(double x, double y, double l1, double l2, double t, in
 }
 
 /* The angle that turns (along, across) into the direction of (x, y); free if (x, y) vanishes. */
-static int solve_direction(double x, double y, double along, double across, double t, double reference,
-                           double *c, double *s)
+KINSYM_FN static int solve_direction(double x, double y, double along, double across, double t, double reference,
+    double *c, double *s)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -357,7 +361,7 @@ static int solve_direction(double x, double y, double along, double across, doub
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -398,7 +402,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -414,7 +418,7 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether nothing vanishes that the equations take for granted. */
-static int regular(const abb_irb6620lx_params *p)
+KINSYM_FN static int regular(const abb_irb6620lx_params *p)
 {
     const double a1 = p->a1;
     const double a2 = p->a2;
@@ -426,14 +430,14 @@ static int regular(const abb_irb6620lx_params *p)
 }
 
 /* Whether every parameter has a finite value, and none one that this solver is not for. */
-static int usable(const abb_irb6620lx_params *p)
+KINSYM_FN static int usable(const abb_irb6620lx_params *p)
 {
     return isfinite(p->a1) && isfinite(p->a2) && isfinite(p->a3) && isfinite(p->d4) && isfinite(p->d6)
         && regular(p);
 }
 
 /* Whether all joint values are numbers; lengths near the limits of double precision can overflow on the way. */
-static int all_finite(const double q[ABB_IRB6620LX_JOINTS])
+KINSYM_FN static int all_finite(const double q[ABB_IRB6620LX_JOINTS])
 {
     for (int i = 0; i < ABB_IRB6620LX_JOINTS; ++i) {
         if (!isfinite(q[i])) {
@@ -445,13 +449,13 @@ static int all_finite(const double q[ABB_IRB6620LX_JOINTS])
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 12
-static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+static KINSYM_DATA const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
 
 /* Whether a joint slides. */
-static const int slides[ABB_IRB6620LX_JOINTS] = {1, 0, 0, 0, 0, 0};
+static KINSYM_DATA const int slides[ABB_IRB6620LX_JOINTS] = {1, 0, 0, 0, 0, 0};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx_params *p,
+KINSYM_FN static double distance(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx_params *p,
     const double M[12], double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
@@ -465,7 +469,7 @@ static double distance(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx_params *p, double size,
+KINSYM_FN static void slopes(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx_params *p, double size,
     double D[ENTRIES][ABB_IRB6620LX_JOINTS])
 {
     double T[16], J[6 * ABB_IRB6620LX_JOINTS];
@@ -485,7 +489,7 @@ static void slopes(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx_par
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][ABB_IRB6620LX_JOINTS], const double e[ENTRIES], double damping,
+KINSYM_FN static void step(double D[ENTRIES][ABB_IRB6620LX_JOINTS], const double e[ENTRIES], double damping,
     double g[ABB_IRB6620LX_JOINTS])
 {
     double A[ABB_IRB6620LX_JOINTS + 1][ENTRIES + ABB_IRB6620LX_JOINTS];
@@ -518,8 +522,8 @@ static void step(double D[ENTRIES][ABB_IRB6620LX_JOINTS], const double e[ENTRIES
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx_params *p, const double M[12],
-    double size)
+KINSYM_FN static double polish(double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx_params *p,
+    const double M[12], double size)
 {
     double e[ENTRIES], D[ENTRIES][ABB_IRB6620LX_JOINTS], g[ABB_IRB6620LX_JOINTS], trial[ABB_IRB6620LX_JOINTS];
     double left = distance(q, p, M, size, e), caution = 1.0;
@@ -548,8 +552,8 @@ static double polish(double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx_params 
  * Where two borders cross the distance is stationary, and a second start lies beside it. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
-static int settle(double q[][ABB_IRB6620LX_JOINTS], abb_irb6620lx_mark marks[], double alike[], unsigned twin,
-    int mark, const abb_irb6620lx_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settle(double q[][ABB_IRB6620LX_JOINTS], abb_irb6620lx_mark marks[], double alike[],
+    unsigned twin, int mark, const abb_irb6620lx_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[ABB_IRB6620LX_JOINTS], other[ABB_IRB6620LX_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -593,8 +597,8 @@ static int settle(double q[][ABB_IRB6620LX_JOINTS], abb_irb6620lx_mark marks[], 
 
 /* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
  * alike tells, and puts the rest in the order of their branches; returns how many are left. */
-static int tidied(double q[][ABB_IRB6620LX_JOINTS], abb_irb6620lx_mark marks[], const double alike[],
-    int count, double size)
+KINSYM_FN static int tidied(double q[][ABB_IRB6620LX_JOINTS], abb_irb6620lx_mark marks[],
+    const double alike[], int count, double size)
 {
     int kept = 0;
     for (int i = 0; i < count; ++i) {
@@ -630,8 +634,8 @@ static int tidied(double q[][ABB_IRB6620LX_JOINTS], abb_irb6620lx_mark marks[], 
 }
 
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
-static int settled(double q[][ABB_IRB6620LX_JOINTS], abb_irb6620lx_mark marks[], const int found[], int count,
-    const abb_irb6620lx_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settled(double q[][ABB_IRB6620LX_JOINTS], abb_irb6620lx_mark marks[], const int found[],
+    int count, const abb_irb6620lx_params *p, const double M[12], double tau, double size)
 {
     double given[ABB_IRB6620LX_MAX_SOLUTIONS][ABB_IRB6620LX_JOINTS];
     unsigned branches[ABB_IRB6620LX_MAX_SOLUTIONS];
@@ -662,7 +666,7 @@ static int settled(double q[][ABB_IRB6620LX_JOINTS], abb_irb6620lx_mark marks[],
     return tidied(q, marks, alike, kept, size);
 }
 
-int abb_irb6620lx_ik_marked(const double T[16], const abb_irb6620lx_params *p,
+KINSYM_FN int abb_irb6620lx_ik_marked(const double T[16], const abb_irb6620lx_params *p,
     const double reference[ABB_IRB6620LX_JOINTS], double q[][ABB_IRB6620LX_JOINTS],
     abb_irb6620lx_mark marks[])
 {
@@ -820,14 +824,15 @@ int abb_irb6620lx_ik_marked(const double T[16], const abb_irb6620lx_params *p,
     return special ? settled(q, marks, found, count, p, M, tau, size) : count;
 }
 
-int abb_irb6620lx_ik_near(const double T[16], const abb_irb6620lx_params *p,
+KINSYM_FN int abb_irb6620lx_ik_near(const double T[16], const abb_irb6620lx_params *p,
     const double reference[ABB_IRB6620LX_JOINTS], double q[][ABB_IRB6620LX_JOINTS])
 {
     abb_irb6620lx_mark marks[ABB_IRB6620LX_MAX_SOLUTIONS];
     return abb_irb6620lx_ik_marked(T, p, reference, q, marks);
 }
 
-int abb_irb6620lx_ik(const double T[16], const abb_irb6620lx_params *p, double q[][ABB_IRB6620LX_JOINTS])
+KINSYM_FN int abb_irb6620lx_ik(const double T[16], const abb_irb6620lx_params *p,
+    double q[][ABB_IRB6620LX_JOINTS])
 {
     return abb_irb6620lx_ik_near(T, p, NULL, q);
 }
@@ -839,20 +844,20 @@ const char *const abb_irb6620lx_branches[ABB_IRB6620LX_MAX_SOLUTIONS] = {
     "elbow left, wrist not flipped",
 };
 
-const double abb_irb6620lx_lower[ABB_IRB6620LX_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
-    -HUGE_VAL, -HUGE_VAL};
-const double abb_irb6620lx_upper[ABB_IRB6620LX_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
-    HUGE_VAL};
+KINSYM_DATA const double abb_irb6620lx_lower[ABB_IRB6620LX_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+    -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+KINSYM_DATA const double abb_irb6620lx_upper[ABB_IRB6620LX_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
+    HUGE_VAL, HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "PRRRRR";
+static KINSYM_DATA const char kinds[] = "PRRRRR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[ABB_IRB6620LX_JOINTS])
+KINSYM_FN static int are_numbers(const double x[ABB_IRB6620LX_JOINTS])
 {
     for (int i = 0; x != NULL && i < ABB_IRB6620LX_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -863,7 +868,7 @@ static int are_numbers(const double x[ABB_IRB6620LX_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[ABB_IRB6620LX_JOINTS], const double upper[ABB_IRB6620LX_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[ABB_IRB6620LX_JOINTS], const double upper[ABB_IRB6620LX_JOINTS])
 {
     for (int i = 0; i < ABB_IRB6620LX_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -874,7 +879,7 @@ static int all_intervals(const double lower[ABB_IRB6620LX_JOINTS], const double 
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -882,18 +887,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static abb_irb6620lx_status status_of(abb_irb6620lx_mark special)
+KINSYM_FN static abb_irb6620lx_status status_of(abb_irb6620lx_mark special)
 {
     return special.free | special.border ? ABB_IRB6620LX_SINGULAR : ABB_IRB6620LX_SOLVED;
 }
 
-abb_irb6620lx_status abb_irb6620lx_solve(const double T[16], const abb_irb6620lx_params *p,
+KINSYM_FN abb_irb6620lx_status abb_irb6620lx_solve(const double T[16], const abb_irb6620lx_params *p,
     const double reference[ABB_IRB6620LX_JOINTS], abb_irb6620lx_solutions *out)
 {
     out->count = 0;
@@ -917,14 +922,14 @@ abb_irb6620lx_status abb_irb6620lx_solve(const double T[16], const abb_irb6620lx
     return out->status;
 }
 
-unsigned abb_irb6620lx_family(unsigned free)
+KINSYM_FN unsigned abb_irb6620lx_family(unsigned free)
 {
     unsigned moving = free;
     moving |= (free & 8u) == 8u ? 40u : 0u;
     return moving;
 }
 
-int abb_irb6620lx_within(const double T[16], const abb_irb6620lx_params *p,
+KINSYM_FN int abb_irb6620lx_within(const double T[16], const abb_irb6620lx_params *p,
     const double reference[ABB_IRB6620LX_JOINTS], const double lower[ABB_IRB6620LX_JOINTS],
     const double upper[ABB_IRB6620LX_JOINTS], int capacity, double q[][ABB_IRB6620LX_JOINTS],
     abb_irb6620lx_mark marks[])
@@ -970,7 +975,7 @@ int abb_irb6620lx_within(const double T[16], const abb_irb6620lx_params *p,
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-abb_irb6620lx_status abb_irb6620lx_nearest(const double T[16], const abb_irb6620lx_params *p,
+KINSYM_FN abb_irb6620lx_status abb_irb6620lx_nearest(const double T[16], const abb_irb6620lx_params *p,
     const double reference[ABB_IRB6620LX_JOINTS], const double weights[ABB_IRB6620LX_JOINTS],
     const double lower[ABB_IRB6620LX_JOINTS], const double upper[ABB_IRB6620LX_JOINTS],
     double q[ABB_IRB6620LX_JOINTS])
@@ -1033,7 +1038,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -1051,18 +1056,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const abb_irb6620lx_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const abb_irb6620lx_params *p, int path, lane_block *block)
 {
     const double a1 = p->a1;
     const double a2 = p->a2;
@@ -1108,7 +1113,7 @@ static void fk_block(const abb_irb6620lx_params *p, int path, lane_block *block)
         const double p36_x = c4 * p46_x;
         const double p36_y = s4 * p46_x;
         const double p36_z = p46_y + d4;
-        const double sum1 = a3 + p36_x;
+        const double sum1 = p36_x + a3;
         block->T[0][k] = c23 * u36_x + s23 * u46_y;
         block->T[1][k] = c23 * v36_x + s23 * v46_y;
         block->T[2][k] = c23 * w36_x + s23 * c5;
@@ -1124,7 +1129,7 @@ static void fk_block(const abb_irb6620lx_params *p, int path, lane_block *block)
     }
 }
 
-void abb_irb6620lx_fk_batch(const double q[], int n, const abb_irb6620lx_params *p, double T[])
+KINSYM_FN void abb_irb6620lx_fk_batch(const double q[], int n, const abb_irb6620lx_params *p, double T[])
 {
     if (p == NULL) {
         p = &abb_irb6620lx_defaults;
@@ -1158,13 +1163,13 @@ void abb_irb6620lx_fk_batch(const double q[], int n, const abb_irb6620lx_params 
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart. */
-static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
 {
     const double r = sqrt(a * a + b * b);
     const double per_r = 1.0 / r;
@@ -1178,8 +1183,8 @@ static inline double lane_homogeneous(double a, double b, double t, double c[2],
 
 /* Two links l1, l2 that reach (x, y): the second has the components k along the first and w across it; the first sees
  * the point at (along, w). */
-static inline double lane_triangle(double x, double y, double l1, double l2, double t,
-                                   double *k, double w[2], double *along, double *marked)
+KINSYM_FN static inline double lane_triangle(double x, double y, double l1, double l2, double t, double *k, double w[2],
+    double *along, double *marked)
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -1199,8 +1204,8 @@ static inline double lane_triangle(double x, double y, double l1, double l2, dou
 }
 
 /* The angle that turns (along, across) into the direction of (x, y). */
-static inline void lane_direction(double x, double y, double along, double across, double t, double *c, double *s,
-                                  double *marked)
+KINSYM_FN static inline void lane_direction(double x, double y, double along, double across, double t, double *c,
+    double *s, double *marked)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -1215,7 +1220,7 @@ static inline void lane_direction(double x, double y, double along, double acros
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -1256,7 +1261,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const abb_irb6620lx_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const abb_irb6620lx_params *p, lane_block *block)
 {
     const double a1 = p->a1;
     const double a2 = p->a2;
@@ -1361,7 +1366,7 @@ static void solve_block(const abb_irb6620lx_params *p, lane_block *block)
     }
 }
 
-int abb_irb6620lx_ik_batch(const double T[], int n, const abb_irb6620lx_params *p,
+KINSYM_FN int abb_irb6620lx_ik_batch(const double T[], int n, const abb_irb6620lx_params *p,
     const double reference[ABB_IRB6620LX_JOINTS], double q[][ABB_IRB6620LX_JOINTS], int counts[])
 {
     if (p == NULL) {
@@ -1396,3 +1401,7 @@ int abb_irb6620lx_ik_batch(const double T[], int n, const abb_irb6620lx_params *
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

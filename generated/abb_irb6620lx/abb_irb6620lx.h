@@ -31,9 +31,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If ABB_IRB6620LX_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes abb_irb6620lx.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef ABB_IRB6620LX_H
 #define ABB_IRB6620LX_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -65,13 +84,14 @@ typedef struct abb_irb6620lx_params {
 } abb_irb6620lx_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const abb_irb6620lx_params abb_irb6620lx_defaults;
+extern KINSYM_DATA const abb_irb6620lx_params abb_irb6620lx_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void abb_irb6620lx_fk(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx_params *p, double T[16]);
+KINSYM_FN void abb_irb6620lx_fk(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx_params *p,
+    double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void abb_irb6620lx_jacobian(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx_params *p,
+KINSYM_FN void abb_irb6620lx_jacobian(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6620lx_params *p,
     double J[6 * ABB_IRB6620LX_JOINTS]);
 
 /*
@@ -94,11 +114,12 @@ void abb_irb6620lx_jacobian(const double q[ABB_IRB6620LX_JOINTS], const abb_irb6
  * or if one of these vanishes, which the equations take for granted: a2.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int abb_irb6620lx_ik(const double T[16], const abb_irb6620lx_params *p, double q[][ABB_IRB6620LX_JOINTS]);
+KINSYM_FN int abb_irb6620lx_ik(const double T[16], const abb_irb6620lx_params *p,
+    double q[][ABB_IRB6620LX_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int abb_irb6620lx_ik_near(const double T[16], const abb_irb6620lx_params *p,
+KINSYM_FN int abb_irb6620lx_ik_near(const double T[16], const abb_irb6620lx_params *p,
     const double reference[ABB_IRB6620LX_JOINTS], double q[][ABB_IRB6620LX_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -110,7 +131,7 @@ typedef struct abb_irb6620lx_mark {
 } abb_irb6620lx_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int abb_irb6620lx_ik_marked(const double T[16], const abb_irb6620lx_params *p,
+KINSYM_FN int abb_irb6620lx_ik_marked(const double T[16], const abb_irb6620lx_params *p,
     const double reference[ABB_IRB6620LX_JOINTS], double q[][ABB_IRB6620LX_JOINTS],
     abb_irb6620lx_mark marks[]);
 
@@ -126,7 +147,8 @@ int abb_irb6620lx_ik_marked(const double T[16], const abb_irb6620lx_params *p,
 extern const char *const abb_irb6620lx_branches[ABB_IRB6620LX_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double abb_irb6620lx_lower[ABB_IRB6620LX_JOINTS], abb_irb6620lx_upper[ABB_IRB6620LX_JOINTS];
+extern KINSYM_DATA const double abb_irb6620lx_lower[ABB_IRB6620LX_JOINTS];
+extern KINSYM_DATA const double abb_irb6620lx_upper[ABB_IRB6620LX_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct abb_irb6620lx_solutions {
@@ -137,12 +159,12 @@ typedef struct abb_irb6620lx_solutions {
 } abb_irb6620lx_solutions;
 
 /* ik_marked with a status, which is returned as well; ABB_IRB6620LX_BAD_REFERENCE if the reference is not finite. */
-abb_irb6620lx_status abb_irb6620lx_solve(const double T[16], const abb_irb6620lx_params *p,
+KINSYM_FN abb_irb6620lx_status abb_irb6620lx_solve(const double T[16], const abb_irb6620lx_params *p,
     const double reference[ABB_IRB6620LX_JOINTS], abb_irb6620lx_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned abb_irb6620lx_family(unsigned free);
+KINSYM_FN unsigned abb_irb6620lx_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -150,7 +172,7 @@ unsigned abb_irb6620lx_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * ABB_IRB6620LX_BAD_LIMIT if limits are no interval. */
-int abb_irb6620lx_within(const double T[16], const abb_irb6620lx_params *p,
+KINSYM_FN int abb_irb6620lx_within(const double T[16], const abb_irb6620lx_params *p,
     const double reference[ABB_IRB6620LX_JOINTS], const double lower[ABB_IRB6620LX_JOINTS],
     const double upper[ABB_IRB6620LX_JOINTS], int capacity, double q[][ABB_IRB6620LX_JOINTS],
     abb_irb6620lx_mark marks[]);
@@ -159,7 +181,7 @@ int abb_irb6620lx_within(const double T[16], const abb_irb6620lx_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. ABB_IRB6620LX_BAD_WEIGHT if a weight is negative or not finite. */
-abb_irb6620lx_status abb_irb6620lx_nearest(const double T[16], const abb_irb6620lx_params *p,
+KINSYM_FN abb_irb6620lx_status abb_irb6620lx_nearest(const double T[16], const abb_irb6620lx_params *p,
     const double reference[ABB_IRB6620LX_JOINTS], const double weights[ABB_IRB6620LX_JOINTS],
     const double lower[ABB_IRB6620LX_JOINTS], const double upper[ABB_IRB6620LX_JOINTS],
     double q[ABB_IRB6620LX_JOINTS]);
@@ -167,7 +189,7 @@ abb_irb6620lx_status abb_irb6620lx_nearest(const double T[16], const abb_irb6620
 /* Forward kinematics of n joint vectors: q has ABB_IRB6620LX_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void abb_irb6620lx_fk_batch(const double q[], int n, const abb_irb6620lx_params *p, double T[]);
+KINSYM_FN void abb_irb6620lx_fk_batch(const double q[], int n, const abb_irb6620lx_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -180,7 +202,7 @@ void abb_irb6620lx_fk_batch(const double q[], int n, const abb_irb6620lx_params 
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 40 kB of stack are used. */
-int abb_irb6620lx_ik_batch(const double T[], int n, const abb_irb6620lx_params *p,
+KINSYM_FN int abb_irb6620lx_ik_batch(const double T[], int n, const abb_irb6620lx_params *p,
     const double reference[ABB_IRB6620LX_JOINTS], double q[][ABB_IRB6620LX_JOINTS], int counts[]);
 
 #ifdef __cplusplus

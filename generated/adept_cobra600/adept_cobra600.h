@@ -29,9 +29,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If ADEPT_COBRA600_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes adept_cobra600.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef ADEPT_COBRA600_H
 #define ADEPT_COBRA600_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -61,13 +80,14 @@ typedef struct adept_cobra600_params {
 } adept_cobra600_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const adept_cobra600_params adept_cobra600_defaults;
+extern KINSYM_DATA const adept_cobra600_params adept_cobra600_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void adept_cobra600_fk(const double q[ADEPT_COBRA600_JOINTS], const adept_cobra600_params *p, double T[16]);
+KINSYM_FN void adept_cobra600_fk(const double q[ADEPT_COBRA600_JOINTS], const adept_cobra600_params *p,
+    double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void adept_cobra600_jacobian(const double q[ADEPT_COBRA600_JOINTS], const adept_cobra600_params *p,
+KINSYM_FN void adept_cobra600_jacobian(const double q[ADEPT_COBRA600_JOINTS], const adept_cobra600_params *p,
     double J[6 * ADEPT_COBRA600_JOINTS]);
 
 /*
@@ -86,11 +106,12 @@ void adept_cobra600_jacobian(const double q[ADEPT_COBRA600_JOINTS], const adept_
  * or if one of these vanishes, which the equations take for granted: a1, a2.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int adept_cobra600_ik(const double T[16], const adept_cobra600_params *p, double q[][ADEPT_COBRA600_JOINTS]);
+KINSYM_FN int adept_cobra600_ik(const double T[16], const adept_cobra600_params *p,
+    double q[][ADEPT_COBRA600_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int adept_cobra600_ik_near(const double T[16], const adept_cobra600_params *p,
+KINSYM_FN int adept_cobra600_ik_near(const double T[16], const adept_cobra600_params *p,
     const double reference[ADEPT_COBRA600_JOINTS], double q[][ADEPT_COBRA600_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -102,7 +123,7 @@ typedef struct adept_cobra600_mark {
 } adept_cobra600_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int adept_cobra600_ik_marked(const double T[16], const adept_cobra600_params *p,
+KINSYM_FN int adept_cobra600_ik_marked(const double T[16], const adept_cobra600_params *p,
     const double reference[ADEPT_COBRA600_JOINTS], double q[][ADEPT_COBRA600_JOINTS],
     adept_cobra600_mark marks[]);
 
@@ -114,7 +135,8 @@ int adept_cobra600_ik_marked(const double T[16], const adept_cobra600_params *p,
 extern const char *const adept_cobra600_branches[ADEPT_COBRA600_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double adept_cobra600_lower[ADEPT_COBRA600_JOINTS], adept_cobra600_upper[ADEPT_COBRA600_JOINTS];
+extern KINSYM_DATA const double adept_cobra600_lower[ADEPT_COBRA600_JOINTS];
+extern KINSYM_DATA const double adept_cobra600_upper[ADEPT_COBRA600_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct adept_cobra600_solutions {
@@ -125,12 +147,12 @@ typedef struct adept_cobra600_solutions {
 } adept_cobra600_solutions;
 
 /* ik_marked with a status, which is returned as well; ADEPT_COBRA600_BAD_REFERENCE if the reference is not finite. */
-adept_cobra600_status adept_cobra600_solve(const double T[16], const adept_cobra600_params *p,
+KINSYM_FN adept_cobra600_status adept_cobra600_solve(const double T[16], const adept_cobra600_params *p,
     const double reference[ADEPT_COBRA600_JOINTS], adept_cobra600_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned adept_cobra600_family(unsigned free);
+KINSYM_FN unsigned adept_cobra600_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -138,7 +160,7 @@ unsigned adept_cobra600_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * ADEPT_COBRA600_BAD_LIMIT if limits are no interval. */
-int adept_cobra600_within(const double T[16], const adept_cobra600_params *p,
+KINSYM_FN int adept_cobra600_within(const double T[16], const adept_cobra600_params *p,
     const double reference[ADEPT_COBRA600_JOINTS], const double lower[ADEPT_COBRA600_JOINTS],
     const double upper[ADEPT_COBRA600_JOINTS], int capacity, double q[][ADEPT_COBRA600_JOINTS],
     adept_cobra600_mark marks[]);
@@ -147,7 +169,7 @@ int adept_cobra600_within(const double T[16], const adept_cobra600_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. ADEPT_COBRA600_BAD_WEIGHT if a weight is negative or not finite. */
-adept_cobra600_status adept_cobra600_nearest(const double T[16], const adept_cobra600_params *p,
+KINSYM_FN adept_cobra600_status adept_cobra600_nearest(const double T[16], const adept_cobra600_params *p,
     const double reference[ADEPT_COBRA600_JOINTS], const double weights[ADEPT_COBRA600_JOINTS],
     const double lower[ADEPT_COBRA600_JOINTS], const double upper[ADEPT_COBRA600_JOINTS],
     double q[ADEPT_COBRA600_JOINTS]);
@@ -155,7 +177,7 @@ adept_cobra600_status adept_cobra600_nearest(const double T[16], const adept_cob
 /* Forward kinematics of n joint vectors: q has ADEPT_COBRA600_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void adept_cobra600_fk_batch(const double q[], int n, const adept_cobra600_params *p, double T[]);
+KINSYM_FN void adept_cobra600_fk_batch(const double q[], int n, const adept_cobra600_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -168,7 +190,7 @@ void adept_cobra600_fk_batch(const double q[], int n, const adept_cobra600_param
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 20 kB of stack are used. */
-int adept_cobra600_ik_batch(const double T[], int n, const adept_cobra600_params *p,
+KINSYM_FN int adept_cobra600_ik_batch(const double T[], int n, const adept_cobra600_params *p,
     const double reference[ADEPT_COBRA600_JOINTS], double q[][ADEPT_COBRA600_JOINTS], int counts[]);
 
 #ifdef __cplusplus

@@ -24,15 +24,16 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
 double sqrt(double) __attribute__((const)); /* the library's own declaration lets it write errno */
 #endif
 
-const comau_racer3_params comau_racer3_defaults = {
+KINSYM_DATA const comau_racer3_params comau_racer3_defaults = {
     0.365, /* d1 */
     0.05, /* a1 */
     0.27, /* a2 */
@@ -44,7 +45,7 @@ const comau_racer3_params comau_racer3_defaults = {
 #ifdef COMAU_RACER3_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -56,7 +57,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -93,7 +94,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -101,28 +103,29 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The angle half a turn away, in (-pi, pi]; what is too small to be seen beside pi counts as 0. */
-static inline double half_turn(double angle)
+KINSYM_FN static inline double half_turn(double angle)
 {
     const double pi = 3.141592653589793;
     return angle + (angle > 2.220446049250313e-16 ? -pi : pi);
 }
 
 /* The opposite angle in (-pi, pi]. */
-static inline double opposite(double angle)
+KINSYM_FN static inline double opposite(double angle)
 {
     const double pi = 3.141592653589793;
     return angle < pi ? -angle : angle;
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void comau_racer3_fk(const double q[COMAU_RACER3_JOINTS], const comau_racer3_params *p, double T[16])
+KINSYM_FN void comau_racer3_fk(const double q[COMAU_RACER3_JOINTS], const comau_racer3_params *p,
+    double T[16])
 {
     if (p == NULL) {
         p = &comau_racer3_defaults;
@@ -172,10 +175,10 @@ void comau_racer3_fk(const double q[COMAU_RACER3_JOINTS], const comau_racer3_par
     const double v16_y = -c2m3 * v46_y - s2m3 * v36_x;
     const double w16_x = s2m3 * c5 - c2m3 * w36_x;
     const double w16_y = -c2m3 * c5 - s2m3 * w36_x;
-    const double sum1 = a3 + p36_x;
+    const double sum1 = p36_x + a3;
     const double p16_x = a2 * s2 + s2m3 * p36_z - c2m3 * sum1;
     const double p16_y = -a2 * c2 - c2m3 * p36_z - s2m3 * sum1;
-    const double sum2 = a1 + p16_x;
+    const double sum2 = p16_x + a1;
 
     T[0] = c1 * u16_x - s1 * u36_y;
     T[1] = c1 * v16_x - s1 * v36_y;
@@ -195,7 +198,7 @@ void comau_racer3_fk(const double q[COMAU_RACER3_JOINTS], const comau_racer3_par
     T[15] = 1.0;
 }
 
-void comau_racer3_jacobian(const double q[COMAU_RACER3_JOINTS], const comau_racer3_params *p,
+KINSYM_FN void comau_racer3_jacobian(const double q[COMAU_RACER3_JOINTS], const comau_racer3_params *p,
     double J[6 * COMAU_RACER3_JOINTS])
 {
     if (p == NULL) {
@@ -222,22 +225,22 @@ void comau_racer3_jacobian(const double q[COMAU_RACER3_JOINTS], const comau_race
     const double s4 = sin(theta4);
     const double c5 = cos(theta5);
     const double s5 = sin(theta5);
-    const double product7 = c5 * d6;
-    const double sum8 = d4 + product7;
-    const double product2 = c4 * s5;
-    const double product6 = d6 * product2;
-    const double sum7 = a3 - product6;
     const double product1 = a2 * s2;
-    const double sum1 = a1 + product1;
-    const double sum9 = c2m3 * sum7 - sum1;
-    const double sum10 = s2m3 * sum8 - sum9;
-    const double product3 = s4 * s5;
-    const double product8 = d6 * product3;
-    const double oE_x = c1 * sum10 - product8 * s1;
-    const double oE_y = -s1 * sum10 - product8 * c1;
+    const double sum1 = product1 + a1;
+    const double product2 = c4 * s5;
+    const double product7 = d6 * product2;
+    const double sum7 = product7 - a3;
+    const double product6 = d6 * c5;
+    const double sum8 = product6 + d4;
+    const double sum9 = c2m3 * sum7 + s2m3 * sum8;
+    const double sum18 = sum1 + sum9;
+    const double product3 = s5 * s4;
+    const double product13 = d6 * product3;
+    const double oE_x = c1 * sum18 - product13 * s1;
+    const double oE_y = -s1 * sum18 - product13 * c1;
     const double product4 = a2 * c2;
-    const double sum2 = d1 + product4;
-    const double oE_z = sum2 + c2m3 * sum8 + s2m3 * sum7;
+    const double sum2 = product4 + d1;
+    const double oE_z = sum2 + c2m3 * sum8 - s2m3 * sum7;
     const double o2_x = a1 * c1;
     const double o2_y = -a1 * s1;
     const double o3_x = c1 * sum1;
@@ -246,54 +249,54 @@ void comau_racer3_jacobian(const double q[COMAU_RACER3_JOINTS], const comau_race
     const double z4_x = -c1 * s2m3;
     const double z4_y = s1 * s2m3;
     const double product5 = a3 * c2m3;
-    const double sum3 = product5 - sum1;
-    const double o4_x = -c1 * sum3;
-    const double o4_y = s1 * sum3;
-    const double product9 = a3 * s2m3;
-    const double sum11 = product9 + sum2;
-    const double o4_z = sum11;
-    const double product10 = c2m3 * s4;
-    const double z5_x = product10 * c1 + s1 * c4;
-    const double z5_y = c1 * c4 - product10 * s1;
+    const double sum6 = product5 - sum1;
+    const double o4_x = -c1 * sum6;
+    const double o4_y = s1 * sum6;
+    const double product8 = a3 * s2m3;
+    const double sum16 = product8 + sum2;
+    const double o4_z = sum16;
+    const double product9 = c2m3 * s4;
+    const double z5_x = product9 * c1 + s1 * c4;
+    const double z5_y = c1 * c4 - product9 * s1;
     const double z5_z = -s2m3 * s4;
-    const double product11 = d4 * s2m3;
-    const double sum12 = product11 - sum3;
-    const double o5_x = c1 * sum12;
-    const double o5_y = -s1 * sum12;
-    const double o5_z = sum11 + d4 * c2m3;
+    const double product10 = s2m3 * d4;
+    const double sum17 = product10 - sum6;
+    const double o5_x = c1 * sum17;
+    const double o5_y = -s1 * sum17;
+    const double o5_z = sum16 + d4 * c2m3;
     const double product12 = c2m3 * product2;
-    const double product13 = c5 * s2m3;
-    const double sum13 = product12 + product13;
-    const double z6_x = product3 * s1 - c1 * sum13;
-    const double z6_y = product3 * c1 + s1 * sum13;
+    const double product11 = c5 * s2m3;
+    const double sum10 = product12 + product11;
+    const double z6_x = product3 * s1 - c1 * sum10;
+    const double z6_y = product3 * c1 + s1 * sum10;
     const double z6_z = product2 * s2m3 - c2m3 * c5;
-    const double sum4 = o5_z - oE_z;
-    const double sum5 = o5_y - oE_y;
-    const double sum6 = o5_x - oE_x;
-    const double sum14 = d1 - oE_z;
-    const double sum15 = o3_z - oE_z;
-    const double sum16 = o4_z - oE_z;
-    const double sum17 = o4_y - oE_y;
-    const double sum18 = o4_x - oE_x;
+    const double sum3 = oE_z - o5_z;
+    const double sum4 = oE_y - o5_y;
+    const double sum5 = oE_x - o5_x;
+    const double sum11 = d1 - oE_z;
+    const double sum12 = oE_z - o3_z;
+    const double sum13 = oE_z - o4_z;
+    const double sum14 = oE_y - o4_y;
+    const double sum15 = oE_x - o4_x;
 
     J[0] = oE_y;
-    J[1] = -c1 * sum14;
-    J[2] = c1 * sum15;
-    J[3] = -z4_y * sum16 - c2m3 * sum17;
-    J[4] = -z5_y * sum4 + z5_z * sum5;
-    J[5] = -z6_y * sum4 + z6_z * sum5;
+    J[1] = -c1 * sum11;
+    J[2] = -c1 * sum12;
+    J[3] = z4_y * sum13 + c2m3 * sum14;
+    J[4] = z5_y * sum3 - z5_z * sum4;
+    J[5] = z6_y * sum3 - z6_z * sum4;
     J[6] = -oE_x;
-    J[7] = s1 * sum14;
-    J[8] = -s1 * sum15;
-    J[9] = c2m3 * sum18 + z4_x * sum16;
-    J[10] = -z5_z * sum6 + z5_x * sum4;
-    J[11] = -z6_z * sum6 + z6_x * sum4;
+    J[7] = s1 * sum11;
+    J[8] = s1 * sum12;
+    J[9] = -c2m3 * sum15 - z4_x * sum13;
+    J[10] = z5_z * sum5 - z5_x * sum3;
+    J[11] = z6_z * sum5 - z6_x * sum3;
     J[12] = 0.0;
     J[13] = s1 * (oE_y - o2_y) - c1 * (oE_x - o2_x);
     J[14] = -s1 * (oE_y - o3_y) + c1 * (oE_x - o3_x);
-    J[15] = -z4_x * sum17 + z4_y * sum18;
-    J[16] = -z5_x * sum5 + z5_y * sum6;
-    J[17] = -z6_x * sum5 + z6_y * sum6;
+    J[15] = z4_x * sum14 - z4_y * sum15;
+    J[16] = z5_x * sum4 - z5_y * sum5;
+    J[17] = z6_x * sum4 - z6_y * sum5;
     J[18] = 0.0;
     J[19] = s1;
     J[20] = -s1;
@@ -325,7 +328,8 @@ void comau_racer3_jacobian(const double q[COMAU_RACER3_JOINTS], const comau_race
 #define NEAR 67108864.0
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2],
+    int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
@@ -346,8 +350,8 @@ static int solve_homogeneous(double a, double b, double t, double reference, dou
 /* Two links l1, l2 that reach (x, y). The second link has the components k along the first link and w across
  * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. Out of reach
  * there is none, but just out of it, or anywhere if loose, one in doubt. */
-static int solve_triangle(double x, double y, double l1, double l2, double t, int loose,
-                          double *k, double w[2], double *along, int mark[2])
+KINSYM_FN static int solve_triangle(double x, double y, double l1, double l2, double t, int loose, double *k,
+    double w[2], double *along, int mark[2])
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -376,8 +380,8 @@ static int solve_triangle(double x, double y, double l1, double l2, double t, in
 }
 
 /* The angle that turns (along, across) into the direction of (x, y); free if (x, y) vanishes. */
-static int solve_direction(double x, double y, double along, double across, double t, double reference,
-                           double *c, double *s)
+KINSYM_FN static int solve_direction(double x, double y, double along, double across, double t, double reference,
+    double *c, double *s)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -396,7 +400,7 @@ static int solve_direction(double x, double y, double along, double across, doub
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -437,7 +441,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -453,7 +457,7 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether nothing vanishes that the equations take for granted. */
-static int regular(const comau_racer3_params *p)
+KINSYM_FN static int regular(const comau_racer3_params *p)
 {
     const double d1 = p->d1;
     const double a1 = p->a1;
@@ -466,14 +470,14 @@ static int regular(const comau_racer3_params *p)
 }
 
 /* Whether every parameter has a finite value, and none one that this solver is not for. */
-static int usable(const comau_racer3_params *p)
+KINSYM_FN static int usable(const comau_racer3_params *p)
 {
     return isfinite(p->d1) && isfinite(p->a1) && isfinite(p->a2) && isfinite(p->a3) && isfinite(p->d4)
         && isfinite(p->d6) && regular(p);
 }
 
 /* Whether all joint values are numbers; lengths near the limits of double precision can overflow on the way. */
-static int all_finite(const double q[COMAU_RACER3_JOINTS])
+KINSYM_FN static int all_finite(const double q[COMAU_RACER3_JOINTS])
 {
     for (int i = 0; i < COMAU_RACER3_JOINTS; ++i) {
         if (!isfinite(q[i])) {
@@ -485,11 +489,11 @@ static int all_finite(const double q[COMAU_RACER3_JOINTS])
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 12
-static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+static KINSYM_DATA const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[COMAU_RACER3_JOINTS], const comau_racer3_params *p, const double M[12],
-    double size, double e[ENTRIES])
+KINSYM_FN static double distance(const double q[COMAU_RACER3_JOINTS], const comau_racer3_params *p,
+    const double M[12], double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
     comau_racer3_fk(q, p, T);
@@ -502,7 +506,7 @@ static double distance(const double q[COMAU_RACER3_JOINTS], const comau_racer3_p
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[COMAU_RACER3_JOINTS], const comau_racer3_params *p, double size,
+KINSYM_FN static void slopes(const double q[COMAU_RACER3_JOINTS], const comau_racer3_params *p, double size,
     double D[ENTRIES][COMAU_RACER3_JOINTS])
 {
     double T[16], J[6 * COMAU_RACER3_JOINTS];
@@ -521,7 +525,7 @@ static void slopes(const double q[COMAU_RACER3_JOINTS], const comau_racer3_param
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][COMAU_RACER3_JOINTS], const double e[ENTRIES], double damping,
+KINSYM_FN static void step(double D[ENTRIES][COMAU_RACER3_JOINTS], const double e[ENTRIES], double damping,
     double g[COMAU_RACER3_JOINTS])
 {
     double A[COMAU_RACER3_JOINTS + 1][ENTRIES + COMAU_RACER3_JOINTS];
@@ -554,8 +558,8 @@ static void step(double D[ENTRIES][COMAU_RACER3_JOINTS], const double e[ENTRIES]
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[COMAU_RACER3_JOINTS], const comau_racer3_params *p, const double M[12],
-    double size)
+KINSYM_FN static double polish(double q[COMAU_RACER3_JOINTS], const comau_racer3_params *p,
+    const double M[12], double size)
 {
     double e[ENTRIES], D[ENTRIES][COMAU_RACER3_JOINTS], g[COMAU_RACER3_JOINTS], trial[COMAU_RACER3_JOINTS];
     double left = distance(q, p, M, size, e), caution = 1.0;
@@ -584,8 +588,8 @@ static double polish(double q[COMAU_RACER3_JOINTS], const comau_racer3_params *p
  * Where two borders cross the distance is stationary, and a second start lies beside it. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
-static int settle(double q[][COMAU_RACER3_JOINTS], comau_racer3_mark marks[], double alike[], unsigned twin,
-    int mark, const comau_racer3_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settle(double q[][COMAU_RACER3_JOINTS], comau_racer3_mark marks[], double alike[],
+    unsigned twin, int mark, const comau_racer3_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[COMAU_RACER3_JOINTS], other[COMAU_RACER3_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -629,7 +633,8 @@ static int settle(double q[][COMAU_RACER3_JOINTS], comau_racer3_mark marks[], do
 
 /* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
  * alike tells, and puts the rest in the order of their branches; returns how many are left. */
-static int tidied(double q[][COMAU_RACER3_JOINTS], comau_racer3_mark marks[], const double alike[], int count)
+KINSYM_FN static int tidied(double q[][COMAU_RACER3_JOINTS], comau_racer3_mark marks[], const double alike[],
+    int count)
 {
     int kept = 0;
     for (int i = 0; i < count; ++i) {
@@ -665,8 +670,8 @@ static int tidied(double q[][COMAU_RACER3_JOINTS], comau_racer3_mark marks[], co
 }
 
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
-static int settled(double q[][COMAU_RACER3_JOINTS], comau_racer3_mark marks[], const int found[], int count,
-    const comau_racer3_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settled(double q[][COMAU_RACER3_JOINTS], comau_racer3_mark marks[], const int found[],
+    int count, const comau_racer3_params *p, const double M[12], double tau, double size)
 {
     double given[COMAU_RACER3_MAX_SOLUTIONS][COMAU_RACER3_JOINTS];
     unsigned branches[COMAU_RACER3_MAX_SOLUTIONS];
@@ -699,7 +704,7 @@ static int settled(double q[][COMAU_RACER3_JOINTS], comau_racer3_mark marks[], c
     return tidied(q, marks, alike, kept);
 }
 
-int comau_racer3_ik_marked(const double T[16], const comau_racer3_params *p,
+KINSYM_FN int comau_racer3_ik_marked(const double T[16], const comau_racer3_params *p,
     const double reference[COMAU_RACER3_JOINTS], double q[][COMAU_RACER3_JOINTS], comau_racer3_mark marks[])
 {
     static const double zeros[COMAU_RACER3_JOINTS] = {0.0};
@@ -876,14 +881,15 @@ int comau_racer3_ik_marked(const double T[16], const comau_racer3_params *p,
     return special ? settled(q, marks, found, count, p, M, tau, size) : count;
 }
 
-int comau_racer3_ik_near(const double T[16], const comau_racer3_params *p,
+KINSYM_FN int comau_racer3_ik_near(const double T[16], const comau_racer3_params *p,
     const double reference[COMAU_RACER3_JOINTS], double q[][COMAU_RACER3_JOINTS])
 {
     comau_racer3_mark marks[COMAU_RACER3_MAX_SOLUTIONS];
     return comau_racer3_ik_marked(T, p, reference, q, marks);
 }
 
-int comau_racer3_ik(const double T[16], const comau_racer3_params *p, double q[][COMAU_RACER3_JOINTS])
+KINSYM_FN int comau_racer3_ik(const double T[16], const comau_racer3_params *p,
+    double q[][COMAU_RACER3_JOINTS])
 {
     return comau_racer3_ik_near(T, p, NULL, q);
 }
@@ -899,20 +905,20 @@ const char *const comau_racer3_branches[COMAU_RACER3_MAX_SOLUTIONS] = {
     "shoulder left, elbow up, wrist not flipped",
 };
 
-const double comau_racer3_lower[COMAU_RACER3_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
-    -HUGE_VAL};
-const double comau_racer3_upper[COMAU_RACER3_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
-    HUGE_VAL};
+KINSYM_DATA const double comau_racer3_lower[COMAU_RACER3_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+    -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+KINSYM_DATA const double comau_racer3_upper[COMAU_RACER3_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
+    HUGE_VAL, HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "RRRRRR";
+static KINSYM_DATA const char kinds[] = "RRRRRR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[COMAU_RACER3_JOINTS])
+KINSYM_FN static int are_numbers(const double x[COMAU_RACER3_JOINTS])
 {
     for (int i = 0; x != NULL && i < COMAU_RACER3_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -923,7 +929,7 @@ static int are_numbers(const double x[COMAU_RACER3_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[COMAU_RACER3_JOINTS], const double upper[COMAU_RACER3_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[COMAU_RACER3_JOINTS], const double upper[COMAU_RACER3_JOINTS])
 {
     for (int i = 0; i < COMAU_RACER3_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -934,7 +940,7 @@ static int all_intervals(const double lower[COMAU_RACER3_JOINTS], const double u
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -942,18 +948,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static comau_racer3_status status_of(comau_racer3_mark special)
+KINSYM_FN static comau_racer3_status status_of(comau_racer3_mark special)
 {
     return special.free | special.border ? COMAU_RACER3_SINGULAR : COMAU_RACER3_SOLVED;
 }
 
-comau_racer3_status comau_racer3_solve(const double T[16], const comau_racer3_params *p,
+KINSYM_FN comau_racer3_status comau_racer3_solve(const double T[16], const comau_racer3_params *p,
     const double reference[COMAU_RACER3_JOINTS], comau_racer3_solutions *out)
 {
     out->count = 0;
@@ -977,7 +983,7 @@ comau_racer3_status comau_racer3_solve(const double T[16], const comau_racer3_pa
     return out->status;
 }
 
-unsigned comau_racer3_family(unsigned free)
+KINSYM_FN unsigned comau_racer3_family(unsigned free)
 {
     unsigned moving = free;
     moving |= (free & 8u) == 8u ? 40u : 0u;
@@ -985,7 +991,7 @@ unsigned comau_racer3_family(unsigned free)
     return moving;
 }
 
-int comau_racer3_within(const double T[16], const comau_racer3_params *p,
+KINSYM_FN int comau_racer3_within(const double T[16], const comau_racer3_params *p,
     const double reference[COMAU_RACER3_JOINTS], const double lower[COMAU_RACER3_JOINTS],
     const double upper[COMAU_RACER3_JOINTS], int capacity, double q[][COMAU_RACER3_JOINTS],
     comau_racer3_mark marks[])
@@ -1031,7 +1037,7 @@ int comau_racer3_within(const double T[16], const comau_racer3_params *p,
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-comau_racer3_status comau_racer3_nearest(const double T[16], const comau_racer3_params *p,
+KINSYM_FN comau_racer3_status comau_racer3_nearest(const double T[16], const comau_racer3_params *p,
     const double reference[COMAU_RACER3_JOINTS], const double weights[COMAU_RACER3_JOINTS],
     const double lower[COMAU_RACER3_JOINTS], const double upper[COMAU_RACER3_JOINTS],
     double q[COMAU_RACER3_JOINTS])
@@ -1094,7 +1100,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -1112,18 +1118,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const comau_racer3_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const comau_racer3_params *p, int path, lane_block *block)
 {
     const double d1 = p->d1;
     const double a1 = p->a1;
@@ -1178,10 +1184,10 @@ static void fk_block(const comau_racer3_params *p, int path, lane_block *block)
         const double v16_y = -c2m3 * v46_y - s2m3 * v36_x;
         const double w16_x = s2m3 * c5 - c2m3 * w36_x;
         const double w16_y = -c2m3 * c5 - s2m3 * w36_x;
-        const double sum1 = a3 + p36_x;
+        const double sum1 = p36_x + a3;
         const double p16_x = a2 * s2 + s2m3 * p36_z - c2m3 * sum1;
         const double p16_y = -a2 * c2 - c2m3 * p36_z - s2m3 * sum1;
-        const double sum2 = a1 + p16_x;
+        const double sum2 = p16_x + a1;
         block->T[0][k] = c1 * u16_x - s1 * u36_y;
         block->T[1][k] = c1 * v16_x - s1 * v36_y;
         block->T[2][k] = c1 * w16_x - s1 * w36_y;
@@ -1197,7 +1203,7 @@ static void fk_block(const comau_racer3_params *p, int path, lane_block *block)
     }
 }
 
-void comau_racer3_fk_batch(const double q[], int n, const comau_racer3_params *p, double T[])
+KINSYM_FN void comau_racer3_fk_batch(const double q[], int n, const comau_racer3_params *p, double T[])
 {
     if (p == NULL) {
         p = &comau_racer3_defaults;
@@ -1231,13 +1237,13 @@ void comau_racer3_fk_batch(const double q[], int n, const comau_racer3_params *p
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart. */
-static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
 {
     const double r = sqrt(a * a + b * b);
     const double per_r = 1.0 / r;
@@ -1251,8 +1257,8 @@ static inline double lane_homogeneous(double a, double b, double t, double c[2],
 
 /* Two links l1, l2 that reach (x, y): the second has the components k along the first and w across it; the first sees
  * the point at (along, w). */
-static inline double lane_triangle(double x, double y, double l1, double l2, double t,
-                                   double *k, double w[2], double *along, double *marked)
+KINSYM_FN static inline double lane_triangle(double x, double y, double l1, double l2, double t, double *k, double w[2],
+    double *along, double *marked)
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -1272,8 +1278,8 @@ static inline double lane_triangle(double x, double y, double l1, double l2, dou
 }
 
 /* The angle that turns (along, across) into the direction of (x, y). */
-static inline void lane_direction(double x, double y, double along, double across, double t, double *c, double *s,
-                                  double *marked)
+KINSYM_FN static inline void lane_direction(double x, double y, double along, double across, double t, double *c,
+    double *s, double *marked)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -1288,7 +1294,7 @@ static inline void lane_direction(double x, double y, double along, double acros
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -1329,7 +1335,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const comau_racer3_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const comau_racer3_params *p, lane_block *block)
 {
     const double d1 = p->d1;
     const double a1 = p->a1;
@@ -1464,7 +1470,7 @@ static void solve_block(const comau_racer3_params *p, lane_block *block)
     }
 }
 
-int comau_racer3_ik_batch(const double T[], int n, const comau_racer3_params *p,
+KINSYM_FN int comau_racer3_ik_batch(const double T[], int n, const comau_racer3_params *p,
     const double reference[COMAU_RACER3_JOINTS], double q[][COMAU_RACER3_JOINTS], int counts[])
 {
     if (p == NULL) {
@@ -1499,3 +1505,7 @@ int comau_racer3_ik_batch(const double T[], int n, const comau_racer3_params *p,
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

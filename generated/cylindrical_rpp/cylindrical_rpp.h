@@ -29,9 +29,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If CYLINDRICAL_RPP_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes cylindrical_rpp.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef CYLINDRICAL_RPP_H
 #define CYLINDRICAL_RPP_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -60,12 +79,12 @@ typedef struct cylindrical_rpp_params {
 
 /* Forward kinematics: the pose T of the joint vector q. With p = NULL every entry is NaN, here and in the
  * Jacobian: the table has no value for d1. */
-void cylindrical_rpp_fk(const double q[CYLINDRICAL_RPP_JOINTS], const cylindrical_rpp_params *p,
+KINSYM_FN void cylindrical_rpp_fk(const double q[CYLINDRICAL_RPP_JOINTS], const cylindrical_rpp_params *p,
     double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void cylindrical_rpp_jacobian(const double q[CYLINDRICAL_RPP_JOINTS], const cylindrical_rpp_params *p,
-    double J[6 * CYLINDRICAL_RPP_JOINTS]);
+KINSYM_FN void cylindrical_rpp_jacobian(const double q[CYLINDRICAL_RPP_JOINTS],
+    const cylindrical_rpp_params *p, double J[6 * CYLINDRICAL_RPP_JOINTS]);
 
 /*
  * Singular poses:
@@ -82,12 +101,12 @@ void cylindrical_rpp_jacobian(const double q[CYLINDRICAL_RPP_JOINTS], const cyli
  * CYLINDRICAL_RPP_BAD_PARAMETER if a parameter is missing or not finite.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int cylindrical_rpp_ik(const double T[16], const cylindrical_rpp_params *p,
+KINSYM_FN int cylindrical_rpp_ik(const double T[16], const cylindrical_rpp_params *p,
     double q[][CYLINDRICAL_RPP_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int cylindrical_rpp_ik_near(const double T[16], const cylindrical_rpp_params *p,
+KINSYM_FN int cylindrical_rpp_ik_near(const double T[16], const cylindrical_rpp_params *p,
     const double reference[CYLINDRICAL_RPP_JOINTS], double q[][CYLINDRICAL_RPP_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -99,7 +118,7 @@ typedef struct cylindrical_rpp_mark {
 } cylindrical_rpp_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int cylindrical_rpp_ik_marked(const double T[16], const cylindrical_rpp_params *p,
+KINSYM_FN int cylindrical_rpp_ik_marked(const double T[16], const cylindrical_rpp_params *p,
     const double reference[CYLINDRICAL_RPP_JOINTS], double q[][CYLINDRICAL_RPP_JOINTS],
     cylindrical_rpp_mark marks[]);
 
@@ -111,7 +130,8 @@ int cylindrical_rpp_ik_marked(const double T[16], const cylindrical_rpp_params *
 extern const char *const cylindrical_rpp_branches[CYLINDRICAL_RPP_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double cylindrical_rpp_lower[CYLINDRICAL_RPP_JOINTS], cylindrical_rpp_upper[CYLINDRICAL_RPP_JOINTS];
+extern KINSYM_DATA const double cylindrical_rpp_lower[CYLINDRICAL_RPP_JOINTS];
+extern KINSYM_DATA const double cylindrical_rpp_upper[CYLINDRICAL_RPP_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct cylindrical_rpp_solutions {
@@ -122,12 +142,12 @@ typedef struct cylindrical_rpp_solutions {
 } cylindrical_rpp_solutions;
 
 /* ik_marked with a status, which is returned as well; CYLINDRICAL_RPP_BAD_REFERENCE if the reference is not finite. */
-cylindrical_rpp_status cylindrical_rpp_solve(const double T[16], const cylindrical_rpp_params *p,
+KINSYM_FN cylindrical_rpp_status cylindrical_rpp_solve(const double T[16], const cylindrical_rpp_params *p,
     const double reference[CYLINDRICAL_RPP_JOINTS], cylindrical_rpp_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned cylindrical_rpp_family(unsigned free);
+KINSYM_FN unsigned cylindrical_rpp_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -135,7 +155,7 @@ unsigned cylindrical_rpp_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * CYLINDRICAL_RPP_BAD_LIMIT if limits are no interval. */
-int cylindrical_rpp_within(const double T[16], const cylindrical_rpp_params *p,
+KINSYM_FN int cylindrical_rpp_within(const double T[16], const cylindrical_rpp_params *p,
     const double reference[CYLINDRICAL_RPP_JOINTS], const double lower[CYLINDRICAL_RPP_JOINTS],
     const double upper[CYLINDRICAL_RPP_JOINTS], int capacity, double q[][CYLINDRICAL_RPP_JOINTS],
     cylindrical_rpp_mark marks[]);
@@ -144,7 +164,7 @@ int cylindrical_rpp_within(const double T[16], const cylindrical_rpp_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. CYLINDRICAL_RPP_BAD_WEIGHT if a weight is negative or not finite. */
-cylindrical_rpp_status cylindrical_rpp_nearest(const double T[16], const cylindrical_rpp_params *p,
+KINSYM_FN cylindrical_rpp_status cylindrical_rpp_nearest(const double T[16], const cylindrical_rpp_params *p,
     const double reference[CYLINDRICAL_RPP_JOINTS], const double weights[CYLINDRICAL_RPP_JOINTS],
     const double lower[CYLINDRICAL_RPP_JOINTS], const double upper[CYLINDRICAL_RPP_JOINTS],
     double q[CYLINDRICAL_RPP_JOINTS]);
@@ -152,7 +172,7 @@ cylindrical_rpp_status cylindrical_rpp_nearest(const double T[16], const cylindr
 /* Forward kinematics of n joint vectors: q has CYLINDRICAL_RPP_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void cylindrical_rpp_fk_batch(const double q[], int n, const cylindrical_rpp_params *p, double T[]);
+KINSYM_FN void cylindrical_rpp_fk_batch(const double q[], int n, const cylindrical_rpp_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -165,7 +185,7 @@ void cylindrical_rpp_fk_batch(const double q[], int n, const cylindrical_rpp_par
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 20 kB of stack are used. */
-int cylindrical_rpp_ik_batch(const double T[], int n, const cylindrical_rpp_params *p,
+KINSYM_FN int cylindrical_rpp_ik_batch(const double T[], int n, const cylindrical_rpp_params *p,
     const double reference[CYLINDRICAL_RPP_JOINTS], double q[][CYLINDRICAL_RPP_JOINTS], int counts[]);
 
 #ifdef __cplusplus

@@ -25,15 +25,16 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
 double sqrt(double) __attribute__((const)); /* the library's own declaration lets it write errno */
 #endif
 
-const doosan_m1013_params doosan_m1013_defaults = {
+KINSYM_DATA const doosan_m1013_params doosan_m1013_defaults = {
     0.1525, /* d1 */
     0.62, /* a2 */
     0.0345, /* d2 */
@@ -44,7 +45,7 @@ const doosan_m1013_params doosan_m1013_defaults = {
 #ifdef DOOSAN_M1013_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -56,7 +57,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -93,7 +94,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -101,28 +103,29 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The angle half a turn away, in (-pi, pi]; what is too small to be seen beside pi counts as 0. */
-static inline double half_turn(double angle)
+KINSYM_FN static inline double half_turn(double angle)
 {
     const double pi = 3.141592653589793;
     return angle + (angle > 2.220446049250313e-16 ? -pi : pi);
 }
 
 /* The opposite angle in (-pi, pi]. */
-static inline double opposite(double angle)
+KINSYM_FN static inline double opposite(double angle)
 {
     const double pi = 3.141592653589793;
     return angle < pi ? -angle : angle;
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void doosan_m1013_fk(const double q[DOOSAN_M1013_JOINTS], const doosan_m1013_params *p, double T[16])
+KINSYM_FN void doosan_m1013_fk(const double q[DOOSAN_M1013_JOINTS], const doosan_m1013_params *p,
+    double T[16])
 {
     if (p == NULL) {
         p = &doosan_m1013_defaults;
@@ -193,7 +196,7 @@ void doosan_m1013_fk(const double q[DOOSAN_M1013_JOINTS], const doosan_m1013_par
     T[15] = 1.0;
 }
 
-void doosan_m1013_jacobian(const double q[DOOSAN_M1013_JOINTS], const doosan_m1013_params *p,
+KINSYM_FN void doosan_m1013_jacobian(const double q[DOOSAN_M1013_JOINTS], const doosan_m1013_params *p,
     double J[6 * DOOSAN_M1013_JOINTS])
 {
     if (p == NULL) {
@@ -219,74 +222,74 @@ void doosan_m1013_jacobian(const double q[DOOSAN_M1013_JOINTS], const doosan_m10
     const double s4 = sin(theta4);
     const double c5 = cos(theta5);
     const double s5 = sin(theta5);
-    const double product5 = c5 * d6;
-    const double sum5 = d4 + product5;
+    const double product5 = d6 * c5;
+    const double sum5 = product5 + d4;
     const double product1 = a2 * s2;
     const double product2 = c4 * s5;
-    const double product3 = c23 * product2;
-    const double product7 = d6 * product3;
-    const double sum7 = product1 + product7;
-    const double sum8 = s23 * sum5 + sum7;
-    const double product4 = s4 * s5;
-    const double product8 = d6 * product4;
-    const double sum9 = d2 + product8;
-    const double oE_x = c1 * sum8 - s1 * sum9;
-    const double oE_y = c1 * sum9 + s1 * sum8;
+    const double product4 = c23 * product2;
+    const double product16 = d6 * product4;
+    const double sum7 = product1 + product16;
+    const double sum14 = s23 * sum5 + sum7;
+    const double product3 = s5 * s4;
+    const double product15 = d6 * product3;
+    const double sum8 = product15 + d2;
+    const double oE_x = c1 * sum14 - s1 * sum8;
+    const double oE_y = c1 * sum8 + s1 * sum14;
     const double product6 = a2 * c2;
-    const double sum6 = d1 + product6;
-    const double product9 = product2 * s23;
-    const double oE_z = sum6 + c23 * sum5 - product9 * d6;
-    const double product10 = c1 * product1;
-    const double o3_x = product10;
-    const double product11 = product1 * s1;
-    const double o3_y = product11;
+    const double sum6 = product6 + d1;
+    const double product14 = s23 * product2;
+    const double oE_z = sum6 + c23 * sum5 - product14 * d6;
+    const double product12 = c1 * product1;
+    const double o3_x = product12;
+    const double product13 = s1 * product1;
+    const double o3_y = product13;
     const double o3_z = sum6;
     const double z4_x = c1 * s23;
     const double z4_y = s1 * s23;
-    const double product12 = d2 * s1;
-    const double o4_x = product10 - product12;
-    const double product13 = c1 * d2;
-    const double o4_y = product13 + product11;
-    const double product14 = c23 * s4;
-    const double z5_x = -product14 * c1 - s1 * c4;
-    const double z5_y = c1 * c4 - product14 * s1;
+    const double product7 = s1 * d2;
+    const double o4_x = product12 - product7;
+    const double product8 = c1 * d2;
+    const double o4_y = product8 + product13;
+    const double product9 = c23 * s4;
+    const double z5_x = -product9 * c1 - s1 * c4;
+    const double z5_y = c1 * c4 - product9 * s1;
     const double z5_z = s23 * s4;
-    const double product15 = d4 * s23;
-    const double sum10 = product1 + product15;
-    const double o5_x = c1 * sum10 - product12;
-    const double o5_y = product13 + s1 * sum10;
+    const double product10 = s23 * d4;
+    const double sum9 = product1 + product10;
+    const double o5_x = c1 * sum9 - product7;
+    const double o5_y = product8 + s1 * sum9;
     const double o5_z = sum6 + d4 * c23;
-    const double product16 = c5 * s23;
-    const double sum11 = product16 + product3;
-    const double z6_x = c1 * sum11 - product4 * s1;
-    const double z6_y = product4 * c1 + s1 * sum11;
-    const double z6_z = c23 * c5 - product9;
-    const double sum1 = o3_z - oE_z;
-    const double sum2 = o5_z - oE_z;
-    const double sum3 = o5_y - oE_y;
-    const double sum4 = o5_x - oE_x;
-    const double sum12 = d1 - oE_z;
-    const double sum13 = o4_y - oE_y;
-    const double sum14 = o4_x - oE_x;
+    const double product11 = c5 * s23;
+    const double sum10 = product4 + product11;
+    const double z6_x = c1 * sum10 - product3 * s1;
+    const double z6_y = product3 * c1 + s1 * sum10;
+    const double z6_z = c23 * c5 - product14;
+    const double sum1 = oE_z - o3_z;
+    const double sum2 = oE_z - o5_z;
+    const double sum3 = oE_y - o5_y;
+    const double sum4 = oE_x - o5_x;
+    const double sum11 = d1 - oE_z;
+    const double sum12 = oE_y - o4_y;
+    const double sum13 = oE_x - o4_x;
 
     J[0] = -oE_y;
-    J[1] = -c1 * sum12;
-    J[2] = -c1 * sum1;
-    J[3] = -z4_y * sum1 + c23 * sum13;
-    J[4] = -z5_y * sum2 + z5_z * sum3;
-    J[5] = -z6_y * sum2 + z6_z * sum3;
+    J[1] = -c1 * sum11;
+    J[2] = c1 * sum1;
+    J[3] = z4_y * sum1 - c23 * sum12;
+    J[4] = z5_y * sum2 - z5_z * sum3;
+    J[5] = z6_y * sum2 - z6_z * sum3;
     J[6] = oE_x;
-    J[7] = -s1 * sum12;
-    J[8] = -s1 * sum1;
-    J[9] = -c23 * sum14 + z4_x * sum1;
-    J[10] = -z5_z * sum4 + z5_x * sum2;
-    J[11] = -z6_z * sum4 + z6_x * sum2;
+    J[7] = -s1 * sum11;
+    J[8] = s1 * sum1;
+    J[9] = c23 * sum13 - z4_x * sum1;
+    J[10] = z5_z * sum4 - z5_x * sum2;
+    J[11] = z6_z * sum4 - z6_x * sum2;
     J[12] = 0.0;
     J[13] = -s1 * oE_y - c1 * oE_x;
     J[14] = -s1 * (oE_y - o3_y) - c1 * (oE_x - o3_x);
-    J[15] = -z4_x * sum13 + z4_y * sum14;
-    J[16] = -z5_x * sum3 + z5_y * sum4;
-    J[17] = -z6_x * sum3 + z6_y * sum4;
+    J[15] = z4_x * sum12 - z4_y * sum13;
+    J[16] = z5_x * sum3 - z5_y * sum4;
+    J[17] = z6_x * sum3 - z6_y * sum4;
     J[18] = 0.0;
     J[19] = -s1;
     J[20] = -s1;
@@ -318,7 +321,8 @@ void doosan_m1013_jacobian(const double q[DOOSAN_M1013_JOINTS], const doosan_m10
 #define NEAR 67108864.0
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2],
+    int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
@@ -338,8 +342,8 @@ static int solve_homogeneous(double a, double b, double t, double reference, dou
 
 /* The angles with a*cos + b*sin = e: two; one on the border, where they meet; one, free, if a, b, e vanish. Beyond
  * the border there is none, but just beyond it, or anywhere if loose, one in doubt. */
-static int solve_linear(double a, double b, double e, double t, double reference, int loose,
-                        double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_linear(double a, double b, double e, double t, double reference, int loose, double c[2],
+    double s[2], int mark[2])
 {
     const double rr = a * a + b * b;
     const double r = sqrt(rr);
@@ -374,8 +378,8 @@ static int solve_linear(double a, double b, double e, double t, double reference
 /* Two links l1, l2 that reach (x, y). The second link has the components k along the first link and w across
  * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. Out of reach
  * there is none, but just out of it, or anywhere if loose, one in doubt. */
-static int solve_triangle(double x, double y, double l1, double l2, double t, int loose,
-                          double *k, double w[2], double *along, int mark[2])
+KINSYM_FN static int solve_triangle(double x, double y, double l1, double l2, double t, int loose, double *k,
+    double w[2], double *along, int mark[2])
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -404,8 +408,8 @@ static int solve_triangle(double x, double y, double l1, double l2, double t, in
 }
 
 /* The angle that turns (along, across) into the direction of (x, y); free if (x, y) vanishes. */
-static int solve_direction(double x, double y, double along, double across, double t, double reference,
-                           double *c, double *s)
+KINSYM_FN static int solve_direction(double x, double y, double along, double across, double t, double reference,
+    double *c, double *s)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -424,7 +428,7 @@ static int solve_direction(double x, double y, double along, double across, doub
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -465,7 +469,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -481,7 +485,7 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether nothing vanishes that the equations take for granted. */
-static int regular(const doosan_m1013_params *p)
+KINSYM_FN static int regular(const doosan_m1013_params *p)
 {
     const double d1 = p->d1;
     const double a2 = p->a2;
@@ -493,14 +497,14 @@ static int regular(const doosan_m1013_params *p)
 }
 
 /* Whether every parameter has a finite value, and none one that this solver is not for. */
-static int usable(const doosan_m1013_params *p)
+KINSYM_FN static int usable(const doosan_m1013_params *p)
 {
     return isfinite(p->d1) && isfinite(p->a2) && isfinite(p->d2) && isfinite(p->d4) && isfinite(p->d6)
         && regular(p);
 }
 
 /* Whether all joint values are numbers; lengths near the limits of double precision can overflow on the way. */
-static int all_finite(const double q[DOOSAN_M1013_JOINTS])
+KINSYM_FN static int all_finite(const double q[DOOSAN_M1013_JOINTS])
 {
     for (int i = 0; i < DOOSAN_M1013_JOINTS; ++i) {
         if (!isfinite(q[i])) {
@@ -512,11 +516,11 @@ static int all_finite(const double q[DOOSAN_M1013_JOINTS])
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 12
-static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+static KINSYM_DATA const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[DOOSAN_M1013_JOINTS], const doosan_m1013_params *p, const double M[12],
-    double size, double e[ENTRIES])
+KINSYM_FN static double distance(const double q[DOOSAN_M1013_JOINTS], const doosan_m1013_params *p,
+    const double M[12], double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
     doosan_m1013_fk(q, p, T);
@@ -529,7 +533,7 @@ static double distance(const double q[DOOSAN_M1013_JOINTS], const doosan_m1013_p
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[DOOSAN_M1013_JOINTS], const doosan_m1013_params *p, double size,
+KINSYM_FN static void slopes(const double q[DOOSAN_M1013_JOINTS], const doosan_m1013_params *p, double size,
     double D[ENTRIES][DOOSAN_M1013_JOINTS])
 {
     double T[16], J[6 * DOOSAN_M1013_JOINTS];
@@ -548,7 +552,7 @@ static void slopes(const double q[DOOSAN_M1013_JOINTS], const doosan_m1013_param
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][DOOSAN_M1013_JOINTS], const double e[ENTRIES], double damping,
+KINSYM_FN static void step(double D[ENTRIES][DOOSAN_M1013_JOINTS], const double e[ENTRIES], double damping,
     double g[DOOSAN_M1013_JOINTS])
 {
     double A[DOOSAN_M1013_JOINTS + 1][ENTRIES + DOOSAN_M1013_JOINTS];
@@ -581,8 +585,8 @@ static void step(double D[ENTRIES][DOOSAN_M1013_JOINTS], const double e[ENTRIES]
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[DOOSAN_M1013_JOINTS], const doosan_m1013_params *p, const double M[12],
-    double size)
+KINSYM_FN static double polish(double q[DOOSAN_M1013_JOINTS], const doosan_m1013_params *p,
+    const double M[12], double size)
 {
     double e[ENTRIES], D[ENTRIES][DOOSAN_M1013_JOINTS], g[DOOSAN_M1013_JOINTS], trial[DOOSAN_M1013_JOINTS];
     double left = distance(q, p, M, size, e), caution = 1.0;
@@ -611,8 +615,8 @@ static double polish(double q[DOOSAN_M1013_JOINTS], const doosan_m1013_params *p
  * Where two borders cross the distance is stationary, and a second start lies beside it. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
-static int settle(double q[][DOOSAN_M1013_JOINTS], doosan_m1013_mark marks[], double alike[], unsigned twin,
-    int mark, const doosan_m1013_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settle(double q[][DOOSAN_M1013_JOINTS], doosan_m1013_mark marks[], double alike[],
+    unsigned twin, int mark, const doosan_m1013_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[DOOSAN_M1013_JOINTS], other[DOOSAN_M1013_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -656,7 +660,8 @@ static int settle(double q[][DOOSAN_M1013_JOINTS], doosan_m1013_mark marks[], do
 
 /* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
  * alike tells, and puts the rest in the order of their branches; returns how many are left. */
-static int tidied(double q[][DOOSAN_M1013_JOINTS], doosan_m1013_mark marks[], const double alike[], int count)
+KINSYM_FN static int tidied(double q[][DOOSAN_M1013_JOINTS], doosan_m1013_mark marks[], const double alike[],
+    int count)
 {
     int kept = 0;
     for (int i = 0; i < count; ++i) {
@@ -692,8 +697,8 @@ static int tidied(double q[][DOOSAN_M1013_JOINTS], doosan_m1013_mark marks[], co
 }
 
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
-static int settled(double q[][DOOSAN_M1013_JOINTS], doosan_m1013_mark marks[], const int found[], int count,
-    const doosan_m1013_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settled(double q[][DOOSAN_M1013_JOINTS], doosan_m1013_mark marks[], const int found[],
+    int count, const doosan_m1013_params *p, const double M[12], double tau, double size)
 {
     double given[DOOSAN_M1013_MAX_SOLUTIONS][DOOSAN_M1013_JOINTS];
     unsigned branches[DOOSAN_M1013_MAX_SOLUTIONS];
@@ -727,7 +732,7 @@ static int settled(double q[][DOOSAN_M1013_JOINTS], doosan_m1013_mark marks[], c
     return tidied(q, marks, alike, kept);
 }
 
-int doosan_m1013_ik_marked(const double T[16], const doosan_m1013_params *p,
+KINSYM_FN int doosan_m1013_ik_marked(const double T[16], const doosan_m1013_params *p,
     const double reference[DOOSAN_M1013_JOINTS], double q[][DOOSAN_M1013_JOINTS], doosan_m1013_mark marks[])
 {
     static const double zeros[DOOSAN_M1013_JOINTS] = {0.0};
@@ -901,14 +906,15 @@ int doosan_m1013_ik_marked(const double T[16], const doosan_m1013_params *p,
     return special ? settled(q, marks, found, count, p, M, tau, size) : count;
 }
 
-int doosan_m1013_ik_near(const double T[16], const doosan_m1013_params *p,
+KINSYM_FN int doosan_m1013_ik_near(const double T[16], const doosan_m1013_params *p,
     const double reference[DOOSAN_M1013_JOINTS], double q[][DOOSAN_M1013_JOINTS])
 {
     doosan_m1013_mark marks[DOOSAN_M1013_MAX_SOLUTIONS];
     return doosan_m1013_ik_marked(T, p, reference, q, marks);
 }
 
-int doosan_m1013_ik(const double T[16], const doosan_m1013_params *p, double q[][DOOSAN_M1013_JOINTS])
+KINSYM_FN int doosan_m1013_ik(const double T[16], const doosan_m1013_params *p,
+    double q[][DOOSAN_M1013_JOINTS])
 {
     return doosan_m1013_ik_near(T, p, NULL, q);
 }
@@ -924,20 +930,20 @@ const char *const doosan_m1013_branches[DOOSAN_M1013_MAX_SOLUTIONS] = {
     "shoulder right, elbow down, wrist flipped",
 };
 
-const double doosan_m1013_lower[DOOSAN_M1013_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
-    -HUGE_VAL};
-const double doosan_m1013_upper[DOOSAN_M1013_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
-    HUGE_VAL};
+KINSYM_DATA const double doosan_m1013_lower[DOOSAN_M1013_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+    -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+KINSYM_DATA const double doosan_m1013_upper[DOOSAN_M1013_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
+    HUGE_VAL, HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "RRRRRR";
+static KINSYM_DATA const char kinds[] = "RRRRRR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[DOOSAN_M1013_JOINTS])
+KINSYM_FN static int are_numbers(const double x[DOOSAN_M1013_JOINTS])
 {
     for (int i = 0; x != NULL && i < DOOSAN_M1013_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -948,7 +954,7 @@ static int are_numbers(const double x[DOOSAN_M1013_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[DOOSAN_M1013_JOINTS], const double upper[DOOSAN_M1013_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[DOOSAN_M1013_JOINTS], const double upper[DOOSAN_M1013_JOINTS])
 {
     for (int i = 0; i < DOOSAN_M1013_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -959,7 +965,7 @@ static int all_intervals(const double lower[DOOSAN_M1013_JOINTS], const double u
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -967,18 +973,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static doosan_m1013_status status_of(doosan_m1013_mark special)
+KINSYM_FN static doosan_m1013_status status_of(doosan_m1013_mark special)
 {
     return special.free | special.border ? DOOSAN_M1013_SINGULAR : DOOSAN_M1013_SOLVED;
 }
 
-doosan_m1013_status doosan_m1013_solve(const double T[16], const doosan_m1013_params *p,
+KINSYM_FN doosan_m1013_status doosan_m1013_solve(const double T[16], const doosan_m1013_params *p,
     const double reference[DOOSAN_M1013_JOINTS], doosan_m1013_solutions *out)
 {
     out->count = 0;
@@ -1002,14 +1008,14 @@ doosan_m1013_status doosan_m1013_solve(const double T[16], const doosan_m1013_pa
     return out->status;
 }
 
-unsigned doosan_m1013_family(unsigned free)
+KINSYM_FN unsigned doosan_m1013_family(unsigned free)
 {
     unsigned moving = free;
     moving |= (free & 8u) == 8u ? 40u : 0u;
     return moving;
 }
 
-int doosan_m1013_within(const double T[16], const doosan_m1013_params *p,
+KINSYM_FN int doosan_m1013_within(const double T[16], const doosan_m1013_params *p,
     const double reference[DOOSAN_M1013_JOINTS], const double lower[DOOSAN_M1013_JOINTS],
     const double upper[DOOSAN_M1013_JOINTS], int capacity, double q[][DOOSAN_M1013_JOINTS],
     doosan_m1013_mark marks[])
@@ -1055,7 +1061,7 @@ int doosan_m1013_within(const double T[16], const doosan_m1013_params *p,
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-doosan_m1013_status doosan_m1013_nearest(const double T[16], const doosan_m1013_params *p,
+KINSYM_FN doosan_m1013_status doosan_m1013_nearest(const double T[16], const doosan_m1013_params *p,
     const double reference[DOOSAN_M1013_JOINTS], const double weights[DOOSAN_M1013_JOINTS],
     const double lower[DOOSAN_M1013_JOINTS], const double upper[DOOSAN_M1013_JOINTS],
     double q[DOOSAN_M1013_JOINTS])
@@ -1118,7 +1124,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -1136,18 +1142,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const doosan_m1013_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const doosan_m1013_params *p, int path, lane_block *block)
 {
     const double d1 = p->d1;
     const double a2 = p->a2;
@@ -1219,7 +1225,7 @@ static void fk_block(const doosan_m1013_params *p, int path, lane_block *block)
     }
 }
 
-void doosan_m1013_fk_batch(const double q[], int n, const doosan_m1013_params *p, double T[])
+KINSYM_FN void doosan_m1013_fk_batch(const double q[], int n, const doosan_m1013_params *p, double T[])
 {
     if (p == NULL) {
         p = &doosan_m1013_defaults;
@@ -1253,13 +1259,13 @@ void doosan_m1013_fk_batch(const double q[], int n, const doosan_m1013_params *p
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart. */
-static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
 {
     const double r = sqrt(a * a + b * b);
     const double per_r = 1.0 / r;
@@ -1272,7 +1278,8 @@ static inline double lane_homogeneous(double a, double b, double t, double c[2],
 }
 
 /* The two angles with a*cos + b*sin = e. */
-static inline double lane_linear(double a, double b, double e, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_linear(double a, double b, double e, double t, double c[2], double s[2],
+    double *marked)
 {
     const double rr = a * a + b * b;
     const double r = sqrt(rr);
@@ -1291,8 +1298,8 @@ static inline double lane_linear(double a, double b, double e, double t, double 
 
 /* Two links l1, l2 that reach (x, y): the second has the components k along the first and w across it; the first sees
  * the point at (along, w). */
-static inline double lane_triangle(double x, double y, double l1, double l2, double t,
-                                   double *k, double w[2], double *along, double *marked)
+KINSYM_FN static inline double lane_triangle(double x, double y, double l1, double l2, double t, double *k, double w[2],
+    double *along, double *marked)
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -1312,8 +1319,8 @@ static inline double lane_triangle(double x, double y, double l1, double l2, dou
 }
 
 /* The angle that turns (along, across) into the direction of (x, y). */
-static inline void lane_direction(double x, double y, double along, double across, double t, double *c, double *s,
-                                  double *marked)
+KINSYM_FN static inline void lane_direction(double x, double y, double along, double across, double t, double *c,
+    double *s, double *marked)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -1328,7 +1335,7 @@ static inline void lane_direction(double x, double y, double along, double acros
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -1369,7 +1376,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const doosan_m1013_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const doosan_m1013_params *p, lane_block *block)
 {
     const double d1 = p->d1;
     const double a2 = p->a2;
@@ -1501,7 +1508,7 @@ static void solve_block(const doosan_m1013_params *p, lane_block *block)
     }
 }
 
-int doosan_m1013_ik_batch(const double T[], int n, const doosan_m1013_params *p,
+KINSYM_FN int doosan_m1013_ik_batch(const double T[], int n, const doosan_m1013_params *p,
     const double reference[DOOSAN_M1013_JOINTS], double q[][DOOSAN_M1013_JOINTS], int counts[])
 {
     if (p == NULL) {
@@ -1536,3 +1543,7 @@ int doosan_m1013_ik_batch(const double T[], int n, const doosan_m1013_params *p,
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

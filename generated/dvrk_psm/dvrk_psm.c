@@ -24,15 +24,16 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
 double sqrt(double) __attribute__((const)); /* the library's own declaration lets it write errno */
 #endif
 
-const dvrk_psm_params dvrk_psm_defaults = {
+KINSYM_DATA const dvrk_psm_params dvrk_psm_defaults = {
     0.4318, /* l3 */
     0.4162, /* l4 */
     0.0091, /* a5 */
@@ -41,7 +42,7 @@ const dvrk_psm_params dvrk_psm_defaults = {
 #ifdef DVRK_PSM_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -53,7 +54,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -90,7 +91,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -98,28 +100,28 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The angle half a turn away, in (-pi, pi]; what is too small to be seen beside pi counts as 0. */
-static inline double half_turn(double angle)
+KINSYM_FN static inline double half_turn(double angle)
 {
     const double pi = 3.141592653589793;
     return angle + (angle > 2.220446049250313e-16 ? -pi : pi);
 }
 
 /* The opposite angle in (-pi, pi]. */
-static inline double opposite(double angle)
+KINSYM_FN static inline double opposite(double angle)
 {
     const double pi = 3.141592653589793;
     return angle < pi ? -angle : angle;
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void dvrk_psm_fk(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p, double T[16])
+KINSYM_FN void dvrk_psm_fk(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p, double T[16])
 {
     if (p == NULL) {
         p = &dvrk_psm_defaults;
@@ -185,7 +187,7 @@ void dvrk_psm_fk(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p, doub
     T[15] = 1.0;
 }
 
-void dvrk_psm_jacobian(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p,
+KINSYM_FN void dvrk_psm_jacobian(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p,
     double J[6 * DVRK_PSM_JOINTS])
 {
     if (p == NULL) {
@@ -213,17 +215,17 @@ void dvrk_psm_jacobian(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p
     const double sum3 = product3 + sum2;
     const double product1 = a5 * s5;
     const double product2 = c4 * s2;
-    const double product8 = product1 * product2;
-    const double sum4 = c2 * sum3 - product8;
+    const double product10 = product1 * product2;
+    const double sum4 = c2 * sum3 - product10;
     const double product4 = c1 * s4;
     const double oE_x = s1 * sum4 - product4 * product1;
-    const double product9 = c2 * c4;
-    const double oE_y = -s2 * sum3 - product9 * product1;
+    const double product8 = c2 * c4;
+    const double oE_y = -s2 * sum3 - product8 * product1;
     const double product5 = s1 * s4;
     const double oE_z = -c1 * sum4 - product5 * product1;
     const double product6 = c2 * s1;
     const double z3_x = product6;
-    const double product7 = c1 * c2;
+    const double product7 = c2 * c1;
     const double z3_z = -product7;
     const double o4_x = product6 * sum1;
     const double o4_y = -s2 * sum1;
@@ -234,36 +236,36 @@ void dvrk_psm_jacobian(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p
     const double o5_x = product6 * sum2;
     const double o5_y = -s2 * sum2;
     const double o5_z = -product7 * sum2;
-    const double product10 = c2 * s5;
+    const double product9 = c2 * s5;
     const double product11 = c5 * product2;
-    const double sum5 = product10 + product11;
+    const double sum5 = product9 + product11;
     const double z6_x = -product4 * c5 - s1 * sum5;
-    const double z6_y = s2 * s5 - product9 * c5;
+    const double z6_y = s2 * s5 - product8 * c5;
     const double z6_z = c1 * sum5 - product5 * c5;
-    const double sum6 = o4_z - oE_z;
-    const double sum7 = o4_y - oE_y;
-    const double sum8 = o5_z - oE_z;
-    const double sum9 = o5_y - oE_y;
-    const double sum10 = o4_x - oE_x;
-    const double sum11 = o5_x - oE_x;
+    const double sum6 = oE_z - o4_z;
+    const double sum7 = oE_y - o4_y;
+    const double sum8 = oE_z - o5_z;
+    const double sum9 = oE_y - o5_y;
+    const double sum10 = oE_x - o4_x;
+    const double sum11 = oE_x - o5_x;
 
     J[0] = -oE_z;
     J[1] = s1 * oE_y;
     J[2] = z3_x;
-    J[3] = s2 * sum6 + z3_z * sum7;
-    J[4] = -z5_y * sum8 + z5_z * sum9;
+    J[3] = -s2 * sum6 - z3_z * sum7;
+    J[4] = z5_y * sum8 - z5_z * sum9;
     J[5] = 0.0;
     J[6] = 0.0;
     J[7] = -s1 * oE_x + c1 * oE_z;
     J[8] = -s2;
-    J[9] = -z3_z * sum10 + z3_x * sum6;
-    J[10] = -z5_z * sum11 + z5_x * sum8;
+    J[9] = z3_z * sum10 - z3_x * sum6;
+    J[10] = z5_z * sum11 - z5_x * sum8;
     J[11] = 0.0;
     J[12] = oE_x;
     J[13] = -c1 * oE_y;
     J[14] = z3_z;
-    J[15] = -z3_x * sum7 - s2 * sum10;
-    J[16] = -z5_x * sum9 + z5_y * sum11;
+    J[15] = z3_x * sum7 + s2 * sum10;
+    J[16] = z5_x * sum9 - z5_y * sum11;
     J[17] = 0.0;
     J[18] = 0.0;
     J[19] = -c1;
@@ -296,7 +298,8 @@ void dvrk_psm_jacobian(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p
 #define NEAR 67108864.0
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2],
+    int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
@@ -316,7 +319,7 @@ static int solve_homogeneous(double a, double b, double t, double reference, dou
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -357,7 +360,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -373,13 +376,13 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether every parameter has a finite value. */
-static int usable(const dvrk_psm_params *p)
+KINSYM_FN static int usable(const dvrk_psm_params *p)
 {
     return isfinite(p->l3) && isfinite(p->l4) && isfinite(p->a5);
 }
 
 /* Whether all joint values are numbers; lengths near the limits of double precision can overflow on the way. */
-static int all_finite(const double q[DVRK_PSM_JOINTS])
+KINSYM_FN static int all_finite(const double q[DVRK_PSM_JOINTS])
 {
     for (int i = 0; i < DVRK_PSM_JOINTS; ++i) {
         if (!isfinite(q[i])) {
@@ -391,14 +394,14 @@ static int all_finite(const double q[DVRK_PSM_JOINTS])
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 12
-static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+static KINSYM_DATA const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
 
 /* Whether a joint slides. */
-static const int slides[DVRK_PSM_JOINTS] = {0, 0, 1, 0, 0, 0};
+static KINSYM_DATA const int slides[DVRK_PSM_JOINTS] = {0, 0, 1, 0, 0, 0};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p, const double M[12],
-    double size, double e[ENTRIES])
+KINSYM_FN static double distance(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p,
+    const double M[12], double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
     dvrk_psm_fk(q, p, T);
@@ -411,7 +414,7 @@ static double distance(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p, double size,
+KINSYM_FN static void slopes(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p, double size,
     double D[ENTRIES][DVRK_PSM_JOINTS])
 {
     double T[16], J[6 * DVRK_PSM_JOINTS];
@@ -431,7 +434,7 @@ static void slopes(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p, do
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][DVRK_PSM_JOINTS], const double e[ENTRIES], double damping,
+KINSYM_FN static void step(double D[ENTRIES][DVRK_PSM_JOINTS], const double e[ENTRIES], double damping,
     double g[DVRK_PSM_JOINTS])
 {
     double A[DVRK_PSM_JOINTS + 1][ENTRIES + DVRK_PSM_JOINTS];
@@ -464,7 +467,8 @@ static void step(double D[ENTRIES][DVRK_PSM_JOINTS], const double e[ENTRIES], do
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p, const double M[12], double size)
+KINSYM_FN static double polish(double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p, const double M[12],
+    double size)
 {
     double e[ENTRIES], D[ENTRIES][DVRK_PSM_JOINTS], g[DVRK_PSM_JOINTS], trial[DVRK_PSM_JOINTS];
     double left = distance(q, p, M, size, e), caution = 1.0;
@@ -491,8 +495,8 @@ static double polish(double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p, const 
 
 /* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
  * Where two borders cross the distance is stationary, and a second start lies beside it. */
-static int settle(double q[][DVRK_PSM_JOINTS], int mark, const dvrk_psm_params *p, const double M[12],
-    double tau, double size)
+KINSYM_FN static int settle(double q[][DVRK_PSM_JOINTS], int mark, const dvrk_psm_params *p,
+    const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[DVRK_PSM_JOINTS], other[DVRK_PSM_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -525,7 +529,7 @@ static int settle(double q[][DVRK_PSM_JOINTS], int mark, const dvrk_psm_params *
 }
 
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
-static int settled(double q[][DVRK_PSM_JOINTS], dvrk_psm_mark marks[], const int found[], int count,
+KINSYM_FN static int settled(double q[][DVRK_PSM_JOINTS], dvrk_psm_mark marks[], const int found[], int count,
     const dvrk_psm_params *p, const double M[12], double tau, double size)
 {
     double given[DVRK_PSM_MAX_SOLUTIONS][DVRK_PSM_JOINTS];
@@ -555,8 +559,8 @@ static int settled(double q[][DVRK_PSM_JOINTS], dvrk_psm_mark marks[], const int
     return kept;
 }
 
-int dvrk_psm_ik_marked(const double T[16], const dvrk_psm_params *p, const double reference[DVRK_PSM_JOINTS],
-    double q[][DVRK_PSM_JOINTS], dvrk_psm_mark marks[])
+KINSYM_FN int dvrk_psm_ik_marked(const double T[16], const dvrk_psm_params *p,
+    const double reference[DVRK_PSM_JOINTS], double q[][DVRK_PSM_JOINTS], dvrk_psm_mark marks[])
 {
     static const double zeros[DVRK_PSM_JOINTS] = {0.0};
     if (reference == NULL) {
@@ -717,14 +721,14 @@ int dvrk_psm_ik_marked(const double T[16], const dvrk_psm_params *p, const doubl
     return special ? settled(q, marks, found, count, p, M, tau, size) : count;
 }
 
-int dvrk_psm_ik_near(const double T[16], const dvrk_psm_params *p, const double reference[DVRK_PSM_JOINTS],
-    double q[][DVRK_PSM_JOINTS])
+KINSYM_FN int dvrk_psm_ik_near(const double T[16], const dvrk_psm_params *p,
+    const double reference[DVRK_PSM_JOINTS], double q[][DVRK_PSM_JOINTS])
 {
     dvrk_psm_mark marks[DVRK_PSM_MAX_SOLUTIONS];
     return dvrk_psm_ik_marked(T, p, reference, q, marks);
 }
 
-int dvrk_psm_ik(const double T[16], const dvrk_psm_params *p, double q[][DVRK_PSM_JOINTS])
+KINSYM_FN int dvrk_psm_ik(const double T[16], const dvrk_psm_params *p, double q[][DVRK_PSM_JOINTS])
 {
     return dvrk_psm_ik_near(T, p, NULL, q);
 }
@@ -740,19 +744,20 @@ const char *const dvrk_psm_branches[DVRK_PSM_MAX_SOLUTIONS] = {
     "theta6 -, shoulder right, theta2 -",
 };
 
-const double dvrk_psm_lower[DVRK_PSM_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
-    -HUGE_VAL};
-const double dvrk_psm_upper[DVRK_PSM_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
+KINSYM_DATA const double dvrk_psm_lower[DVRK_PSM_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+    -HUGE_VAL, -HUGE_VAL};
+KINSYM_DATA const double dvrk_psm_upper[DVRK_PSM_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
+    HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "RRPRRR";
+static KINSYM_DATA const char kinds[] = "RRPRRR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[DVRK_PSM_JOINTS])
+KINSYM_FN static int are_numbers(const double x[DVRK_PSM_JOINTS])
 {
     for (int i = 0; x != NULL && i < DVRK_PSM_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -763,7 +768,7 @@ static int are_numbers(const double x[DVRK_PSM_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[DVRK_PSM_JOINTS], const double upper[DVRK_PSM_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[DVRK_PSM_JOINTS], const double upper[DVRK_PSM_JOINTS])
 {
     for (int i = 0; i < DVRK_PSM_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -774,7 +779,7 @@ static int all_intervals(const double lower[DVRK_PSM_JOINTS], const double upper
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -782,18 +787,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static dvrk_psm_status status_of(dvrk_psm_mark special)
+KINSYM_FN static dvrk_psm_status status_of(dvrk_psm_mark special)
 {
     return special.free | special.border ? DVRK_PSM_SINGULAR : DVRK_PSM_SOLVED;
 }
 
-dvrk_psm_status dvrk_psm_solve(const double T[16], const dvrk_psm_params *p,
+KINSYM_FN dvrk_psm_status dvrk_psm_solve(const double T[16], const dvrk_psm_params *p,
     const double reference[DVRK_PSM_JOINTS], dvrk_psm_solutions *out)
 {
     out->count = 0;
@@ -817,7 +822,7 @@ dvrk_psm_status dvrk_psm_solve(const double T[16], const dvrk_psm_params *p,
     return out->status;
 }
 
-unsigned dvrk_psm_family(unsigned free)
+KINSYM_FN unsigned dvrk_psm_family(unsigned free)
 {
     unsigned moving = free;
     moving |= (free & 1u) == 1u ? 27u : 0u;
@@ -825,9 +830,9 @@ unsigned dvrk_psm_family(unsigned free)
     return moving;
 }
 
-int dvrk_psm_within(const double T[16], const dvrk_psm_params *p, const double reference[DVRK_PSM_JOINTS],
-    const double lower[DVRK_PSM_JOINTS], const double upper[DVRK_PSM_JOINTS], int capacity,
-    double q[][DVRK_PSM_JOINTS], dvrk_psm_mark marks[])
+KINSYM_FN int dvrk_psm_within(const double T[16], const dvrk_psm_params *p,
+    const double reference[DVRK_PSM_JOINTS], const double lower[DVRK_PSM_JOINTS],
+    const double upper[DVRK_PSM_JOINTS], int capacity, double q[][DVRK_PSM_JOINTS], dvrk_psm_mark marks[])
 {
     const double *low = lower == NULL ? dvrk_psm_lower : lower;
     const double *high = upper == NULL ? dvrk_psm_upper : upper;
@@ -870,7 +875,7 @@ int dvrk_psm_within(const double T[16], const dvrk_psm_params *p, const double r
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-dvrk_psm_status dvrk_psm_nearest(const double T[16], const dvrk_psm_params *p,
+KINSYM_FN dvrk_psm_status dvrk_psm_nearest(const double T[16], const dvrk_psm_params *p,
     const double reference[DVRK_PSM_JOINTS], const double weights[DVRK_PSM_JOINTS],
     const double lower[DVRK_PSM_JOINTS], const double upper[DVRK_PSM_JOINTS], double q[DVRK_PSM_JOINTS])
 {
@@ -932,7 +937,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -950,18 +955,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const dvrk_psm_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const dvrk_psm_params *p, int path, lane_block *block)
 {
     const double l3 = p->l3;
     const double l4 = p->l4;
@@ -1028,7 +1033,7 @@ static void fk_block(const dvrk_psm_params *p, int path, lane_block *block)
     }
 }
 
-void dvrk_psm_fk_batch(const double q[], int n, const dvrk_psm_params *p, double T[])
+KINSYM_FN void dvrk_psm_fk_batch(const double q[], int n, const dvrk_psm_params *p, double T[])
 {
     if (p == NULL) {
         p = &dvrk_psm_defaults;
@@ -1062,13 +1067,13 @@ void dvrk_psm_fk_batch(const double q[], int n, const dvrk_psm_params *p, double
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart. */
-static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
 {
     const double r = sqrt(a * a + b * b);
     const double per_r = 1.0 / r;
@@ -1082,7 +1087,7 @@ static inline double lane_homogeneous(double a, double b, double t, double c[2],
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -1123,7 +1128,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const dvrk_psm_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const dvrk_psm_params *p, lane_block *block)
 {
     const double l3 = p->l3;
     const double l4 = p->l4;
@@ -1247,7 +1252,7 @@ static void solve_block(const dvrk_psm_params *p, lane_block *block)
     }
 }
 
-int dvrk_psm_ik_batch(const double T[], int n, const dvrk_psm_params *p,
+KINSYM_FN int dvrk_psm_ik_batch(const double T[], int n, const dvrk_psm_params *p,
     const double reference[DVRK_PSM_JOINTS], double q[][DVRK_PSM_JOINTS], int counts[])
 {
     if (p == NULL) {
@@ -1282,3 +1287,7 @@ int dvrk_psm_ik_batch(const double T[], int n, const dvrk_psm_params *p,
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

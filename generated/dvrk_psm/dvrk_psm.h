@@ -31,9 +31,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If DVRK_PSM_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes dvrk_psm.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef DVRK_PSM_H
 #define DVRK_PSM_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -63,13 +82,13 @@ typedef struct dvrk_psm_params {
 } dvrk_psm_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const dvrk_psm_params dvrk_psm_defaults;
+extern KINSYM_DATA const dvrk_psm_params dvrk_psm_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void dvrk_psm_fk(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p, double T[16]);
+KINSYM_FN void dvrk_psm_fk(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p, double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void dvrk_psm_jacobian(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p,
+KINSYM_FN void dvrk_psm_jacobian(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p,
     double J[6 * DVRK_PSM_JOINTS]);
 
 /*
@@ -93,12 +112,12 @@ void dvrk_psm_jacobian(const double q[DVRK_PSM_JOINTS], const dvrk_psm_params *p
  * DVRK_PSM_BAD_PARAMETER if a parameter is not finite.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int dvrk_psm_ik(const double T[16], const dvrk_psm_params *p, double q[][DVRK_PSM_JOINTS]);
+KINSYM_FN int dvrk_psm_ik(const double T[16], const dvrk_psm_params *p, double q[][DVRK_PSM_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int dvrk_psm_ik_near(const double T[16], const dvrk_psm_params *p, const double reference[DVRK_PSM_JOINTS],
-    double q[][DVRK_PSM_JOINTS]);
+KINSYM_FN int dvrk_psm_ik_near(const double T[16], const dvrk_psm_params *p,
+    const double reference[DVRK_PSM_JOINTS], double q[][DVRK_PSM_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
  * DVRK_PSM_MAX_SOLUTIONS - 1,
@@ -109,8 +128,8 @@ typedef struct dvrk_psm_mark {
 } dvrk_psm_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int dvrk_psm_ik_marked(const double T[16], const dvrk_psm_params *p, const double reference[DVRK_PSM_JOINTS],
-    double q[][DVRK_PSM_JOINTS], dvrk_psm_mark marks[]);
+KINSYM_FN int dvrk_psm_ik_marked(const double T[16], const dvrk_psm_params *p,
+    const double reference[DVRK_PSM_JOINTS], double q[][DVRK_PSM_JOINTS], dvrk_psm_mark marks[]);
 
 /* The names of the branches by their number:
  *  0: theta6 +, shoulder left, theta2 +
@@ -129,7 +148,8 @@ int dvrk_psm_ik_marked(const double T[16], const dvrk_psm_params *p, const doubl
 extern const char *const dvrk_psm_branches[DVRK_PSM_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double dvrk_psm_lower[DVRK_PSM_JOINTS], dvrk_psm_upper[DVRK_PSM_JOINTS];
+extern KINSYM_DATA const double dvrk_psm_lower[DVRK_PSM_JOINTS];
+extern KINSYM_DATA const double dvrk_psm_upper[DVRK_PSM_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct dvrk_psm_solutions {
@@ -140,12 +160,12 @@ typedef struct dvrk_psm_solutions {
 } dvrk_psm_solutions;
 
 /* ik_marked with a status, which is returned as well; DVRK_PSM_BAD_REFERENCE if the reference is not finite. */
-dvrk_psm_status dvrk_psm_solve(const double T[16], const dvrk_psm_params *p,
+KINSYM_FN dvrk_psm_status dvrk_psm_solve(const double T[16], const dvrk_psm_params *p,
     const double reference[DVRK_PSM_JOINTS], dvrk_psm_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned dvrk_psm_family(unsigned free);
+KINSYM_FN unsigned dvrk_psm_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -153,22 +173,22 @@ unsigned dvrk_psm_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * DVRK_PSM_BAD_LIMIT if limits are no interval. */
-int dvrk_psm_within(const double T[16], const dvrk_psm_params *p, const double reference[DVRK_PSM_JOINTS],
-    const double lower[DVRK_PSM_JOINTS], const double upper[DVRK_PSM_JOINTS], int capacity,
-    double q[][DVRK_PSM_JOINTS], dvrk_psm_mark marks[]);
+KINSYM_FN int dvrk_psm_within(const double T[16], const dvrk_psm_params *p,
+    const double reference[DVRK_PSM_JOINTS], const double lower[DVRK_PSM_JOINTS],
+    const double upper[DVRK_PSM_JOINTS], int capacity, double q[][DVRK_PSM_JOINTS], dvrk_psm_mark marks[]);
 
 /* The solution nearest to a reference: least is the sum of weights (NULL: 1) times squared differences, over all
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. DVRK_PSM_BAD_WEIGHT if a weight is negative or not finite. */
-dvrk_psm_status dvrk_psm_nearest(const double T[16], const dvrk_psm_params *p,
+KINSYM_FN dvrk_psm_status dvrk_psm_nearest(const double T[16], const dvrk_psm_params *p,
     const double reference[DVRK_PSM_JOINTS], const double weights[DVRK_PSM_JOINTS],
     const double lower[DVRK_PSM_JOINTS], const double upper[DVRK_PSM_JOINTS], double q[DVRK_PSM_JOINTS]);
 
 /* Forward kinematics of n joint vectors: q has DVRK_PSM_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void dvrk_psm_fk_batch(const double q[], int n, const dvrk_psm_params *p, double T[]);
+KINSYM_FN void dvrk_psm_fk_batch(const double q[], int n, const dvrk_psm_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -181,7 +201,7 @@ void dvrk_psm_fk_batch(const double q[], int n, const dvrk_psm_params *p, double
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 60 kB of stack are used. */
-int dvrk_psm_ik_batch(const double T[], int n, const dvrk_psm_params *p,
+KINSYM_FN int dvrk_psm_ik_batch(const double T[], int n, const dvrk_psm_params *p,
     const double reference[DVRK_PSM_JOINTS], double q[][DVRK_PSM_JOINTS], int counts[]);
 
 #ifdef __cplusplus

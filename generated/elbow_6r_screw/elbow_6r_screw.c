@@ -25,8 +25,9 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
@@ -36,7 +37,7 @@ double sqrt(double) __attribute__((const)); /* the library's own declaration let
 #ifdef ELBOW_6R_SCREW_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -48,7 +49,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -85,7 +86,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -93,21 +95,21 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The angle half a turn away, in (-pi, pi]; what is too small to be seen beside pi counts as 0. */
-static inline double half_turn(double angle)
+KINSYM_FN static inline double half_turn(double angle)
 {
     const double pi = 3.141592653589793;
     return angle + (angle > 2.220446049250313e-16 ? -pi : pi);
 }
 
 /* The opposite angle in (-pi, pi]. */
-static inline double opposite(double angle)
+KINSYM_FN static inline double opposite(double angle)
 {
     const double pi = 3.141592653589793;
     return angle < pi ? -angle : angle;
 }
 
 /* A sum of at most three angles of (-pi, pi], there again. */
-static inline double unwound(double angle)
+KINSYM_FN static inline double unwound(double angle)
 {
     const double pi = 3.141592653589793;
     const double turned = angle + (angle > pi ? -2.0 * pi : angle <= -pi ? 2.0 * pi : 0.0);
@@ -115,14 +117,15 @@ static inline double unwound(double angle)
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void elbow_6r_screw_fk(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_screw_params *p, double T[16])
+KINSYM_FN void elbow_6r_screw_fk(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_screw_params *p,
+    double T[16])
 {
     if (p == NULL) {
         for (int i = 0; i < 16; ++i) {
@@ -164,7 +167,7 @@ void elbow_6r_screw_fk(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_scr
     const double v16_y = s234 * v46_x - c234 * s6;
     const double w16_x = c234 * c5;
     const double w16_y = s234 * c5;
-    const double sum1 = a4 + p46_x;
+    const double sum1 = p46_x + a4;
     const double p16_x = a2 * c2 + a3 * c23 + c234 * sum1;
     const double p16_y = a2 * s2 + a3 * s23 + s234 * sum1;
 
@@ -186,7 +189,7 @@ void elbow_6r_screw_fk(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_scr
     T[15] = 1.0;
 }
 
-void elbow_6r_screw_jacobian(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_screw_params *p,
+KINSYM_FN void elbow_6r_screw_jacobian(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_screw_params *p,
     double J[6 * ELBOW_6R_SCREW_JOINTS])
 {
     if (p == NULL) {
@@ -215,14 +218,14 @@ void elbow_6r_screw_jacobian(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_
     const double c5 = cos(theta5);
     const double s5 = sin(theta5);
     const double product4 = c5 * d6;
-    const double sum5 = a4 + product4;
+    const double sum5 = product4 + a4;
     const double product1 = a2 * c2;
     const double product2 = a3 * c23;
     const double sum1 = product1 + product2;
-    const double sum7 = c234 * sum5 + sum1;
+    const double sum9 = c234 * sum5 + sum1;
     const double product6 = d6 * s5;
-    const double oE_x = c1 * sum7 - product6 * s1;
-    const double oE_y = product6 * c1 + s1 * sum7;
+    const double oE_x = c1 * sum9 - product6 * s1;
+    const double oE_y = product6 * c1 + s1 * sum9;
     const double product3 = a2 * s2;
     const double product5 = a3 * s23;
     const double sum6 = product3 + product5;
@@ -235,39 +238,39 @@ void elbow_6r_screw_jacobian(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_
     const double o4_z = sum6;
     const double z5_x = -c1 * s234;
     const double z5_y = -s1 * s234;
-    const double product7 = a4 * c234;
-    const double sum8 = product7 + sum1;
-    const double o5_x = c1 * sum8;
-    const double o5_y = s1 * sum8;
+    const double product7 = c234 * a4;
+    const double sum10 = product7 + sum1;
+    const double o5_x = c1 * sum10;
+    const double o5_y = s1 * sum10;
     const double o5_z = sum6 + a4 * s234;
-    const double product8 = c234 * c5;
+    const double product8 = c5 * c234;
     const double z6_x = product8 * c1 - s1 * s5;
     const double z6_y = c1 * s5 + product8 * s1;
     const double z6_z = s234 * c5;
-    const double sum2 = o5_z - oE_z;
-    const double sum3 = o5_y - oE_y;
-    const double sum4 = o5_x - oE_x;
-    const double sum9 = o3_z - oE_z;
-    const double sum10 = o4_z - oE_z;
+    const double sum2 = oE_z - o5_z;
+    const double sum3 = oE_y - o5_y;
+    const double sum4 = oE_x - o5_x;
+    const double sum7 = oE_z - o3_z;
+    const double sum8 = oE_z - o4_z;
 
     J[0] = -oE_y;
     J[1] = -c1 * oE_z;
-    J[2] = c1 * sum9;
-    J[3] = c1 * sum10;
-    J[4] = -z5_y * sum2 + c234 * sum3;
-    J[5] = -z6_y * sum2 + z6_z * sum3;
+    J[2] = -c1 * sum7;
+    J[3] = -c1 * sum8;
+    J[4] = z5_y * sum2 - c234 * sum3;
+    J[5] = z6_y * sum2 - z6_z * sum3;
     J[6] = oE_x;
     J[7] = -s1 * oE_z;
-    J[8] = s1 * sum9;
-    J[9] = s1 * sum10;
-    J[10] = -c234 * sum4 + z5_x * sum2;
-    J[11] = -z6_z * sum4 + z6_x * sum2;
+    J[8] = -s1 * sum7;
+    J[9] = -s1 * sum8;
+    J[10] = c234 * sum4 - z5_x * sum2;
+    J[11] = z6_z * sum4 - z6_x * sum2;
     J[12] = 0.0;
     J[13] = s1 * oE_y + c1 * oE_x;
     J[14] = s1 * (oE_y - o3_y) + c1 * (oE_x - o3_x);
     J[15] = s1 * (oE_y - o4_y) + c1 * (oE_x - o4_x);
-    J[16] = -z5_x * sum3 + z5_y * sum4;
-    J[17] = -z6_x * sum3 + z6_y * sum4;
+    J[16] = z5_x * sum3 - z5_y * sum4;
+    J[17] = z6_x * sum3 - z6_y * sum4;
     J[18] = 0.0;
     J[19] = s1;
     J[20] = s1;
@@ -299,7 +302,8 @@ void elbow_6r_screw_jacobian(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_
 #define NEAR 67108864.0
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2],
+    int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
@@ -320,8 +324,8 @@ static int solve_homogeneous(double a, double b, double t, double reference, dou
 /* Two links l1, l2 that reach (x, y). The second link has the components k along the first link and w across
  * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. Out of reach
  * there is none, but just out of it, or anywhere if loose, one in doubt. */
-static int solve_triangle(double x, double y, double l1, double l2, double t, int loose,
-                          double *k, double w[2], double *along, int mark[2])
+KINSYM_FN static int solve_triangle(double x, double y, double l1, double l2, double t, int loose, double *k,
+    double w[2], double *along, int mark[2])
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -350,8 +354,8 @@ static int solve_triangle(double x, double y, double l1, double l2, double t, in
 }
 
 /* The angle that turns (along, across) into the direction of (x, y); free if (x, y) vanishes. */
-static int solve_direction(double x, double y, double along, double across, double t, double reference,
-                           double *c, double *s)
+KINSYM_FN static int solve_direction(double x, double y, double along, double across, double t, double reference,
+    double *c, double *s)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -370,7 +374,7 @@ static int solve_direction(double x, double y, double along, double across, doub
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -411,7 +415,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -427,7 +431,7 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether nothing vanishes that the equations take for granted. */
-static int regular(const elbow_6r_screw_params *p)
+KINSYM_FN static int regular(const elbow_6r_screw_params *p)
 {
     const double a2 = p->a2;
     const double a3 = p->a3;
@@ -438,14 +442,14 @@ static int regular(const elbow_6r_screw_params *p)
 }
 
 /* Whether every parameter has a finite value, and none one that this solver is not for. */
-static int usable(const elbow_6r_screw_params *p)
+KINSYM_FN static int usable(const elbow_6r_screw_params *p)
 {
     return p != NULL && isfinite(p->a2) && isfinite(p->a3) && isfinite(p->a4) && isfinite(p->d6)
         && regular(p);
 }
 
 /* Whether all joint values are numbers; lengths near the limits of double precision can overflow on the way. */
-static int all_finite(const double q[ELBOW_6R_SCREW_JOINTS])
+KINSYM_FN static int all_finite(const double q[ELBOW_6R_SCREW_JOINTS])
 {
     for (int i = 0; i < ELBOW_6R_SCREW_JOINTS; ++i) {
         if (!isfinite(q[i])) {
@@ -457,10 +461,10 @@ static int all_finite(const double q[ELBOW_6R_SCREW_JOINTS])
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 12
-static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+static KINSYM_DATA const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_screw_params *p,
+KINSYM_FN static double distance(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_screw_params *p,
     const double M[12], double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
@@ -474,8 +478,8 @@ static double distance(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_scr
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_screw_params *p, double size,
-    double D[ENTRIES][ELBOW_6R_SCREW_JOINTS])
+KINSYM_FN static void slopes(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_screw_params *p,
+    double size, double D[ENTRIES][ELBOW_6R_SCREW_JOINTS])
 {
     double T[16], J[6 * ELBOW_6R_SCREW_JOINTS];
     elbow_6r_screw_fk(q, p, T);
@@ -493,7 +497,7 @@ static void slopes(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_screw_p
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][ELBOW_6R_SCREW_JOINTS], const double e[ENTRIES], double damping,
+KINSYM_FN static void step(double D[ENTRIES][ELBOW_6R_SCREW_JOINTS], const double e[ENTRIES], double damping,
     double g[ELBOW_6R_SCREW_JOINTS])
 {
     double A[ELBOW_6R_SCREW_JOINTS + 1][ENTRIES + ELBOW_6R_SCREW_JOINTS];
@@ -526,8 +530,8 @@ static void step(double D[ENTRIES][ELBOW_6R_SCREW_JOINTS], const double e[ENTRIE
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_screw_params *p, const double M[12],
-    double size)
+KINSYM_FN static double polish(double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_screw_params *p,
+    const double M[12], double size)
 {
     double e[ENTRIES], D[ENTRIES][ELBOW_6R_SCREW_JOINTS], g[ELBOW_6R_SCREW_JOINTS], trial[ELBOW_6R_SCREW_JOINTS];
     double left = distance(q, p, M, size, e), caution = 1.0;
@@ -556,7 +560,7 @@ static double polish(double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_screw_param
  * Where two borders cross the distance is stationary, and a second start lies beside it. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
-static int settle(double q[][ELBOW_6R_SCREW_JOINTS], elbow_6r_screw_mark marks[], double alike[],
+KINSYM_FN static int settle(double q[][ELBOW_6R_SCREW_JOINTS], elbow_6r_screw_mark marks[], double alike[],
     unsigned twin, int mark, const elbow_6r_screw_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[ELBOW_6R_SCREW_JOINTS], other[ELBOW_6R_SCREW_JOINTS];
@@ -601,8 +605,8 @@ static int settle(double q[][ELBOW_6R_SCREW_JOINTS], elbow_6r_screw_mark marks[]
 
 /* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
  * alike tells, and puts the rest in the order of their branches; returns how many are left. */
-static int tidied(double q[][ELBOW_6R_SCREW_JOINTS], elbow_6r_screw_mark marks[], const double alike[],
-    int count)
+KINSYM_FN static int tidied(double q[][ELBOW_6R_SCREW_JOINTS], elbow_6r_screw_mark marks[],
+    const double alike[], int count)
 {
     int kept = 0;
     for (int i = 0; i < count; ++i) {
@@ -638,8 +642,8 @@ static int tidied(double q[][ELBOW_6R_SCREW_JOINTS], elbow_6r_screw_mark marks[]
 }
 
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
-static int settled(double q[][ELBOW_6R_SCREW_JOINTS], elbow_6r_screw_mark marks[], const int found[],
-    int count, const elbow_6r_screw_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settled(double q[][ELBOW_6R_SCREW_JOINTS], elbow_6r_screw_mark marks[],
+    const int found[], int count, const elbow_6r_screw_params *p, const double M[12], double tau, double size)
 {
     double given[ELBOW_6R_SCREW_MAX_SOLUTIONS][ELBOW_6R_SCREW_JOINTS];
     unsigned branches[ELBOW_6R_SCREW_MAX_SOLUTIONS];
@@ -672,7 +676,7 @@ static int settled(double q[][ELBOW_6R_SCREW_JOINTS], elbow_6r_screw_mark marks[
     return tidied(q, marks, alike, kept);
 }
 
-int elbow_6r_screw_ik_marked(const double T[16], const elbow_6r_screw_params *p,
+KINSYM_FN int elbow_6r_screw_ik_marked(const double T[16], const elbow_6r_screw_params *p,
     const double reference[ELBOW_6R_SCREW_JOINTS], double q[][ELBOW_6R_SCREW_JOINTS],
     elbow_6r_screw_mark marks[])
 {
@@ -833,14 +837,15 @@ int elbow_6r_screw_ik_marked(const double T[16], const elbow_6r_screw_params *p,
     return special ? settled(q, marks, found, count, p, M, tau, size) : count;
 }
 
-int elbow_6r_screw_ik_near(const double T[16], const elbow_6r_screw_params *p,
+KINSYM_FN int elbow_6r_screw_ik_near(const double T[16], const elbow_6r_screw_params *p,
     const double reference[ELBOW_6R_SCREW_JOINTS], double q[][ELBOW_6R_SCREW_JOINTS])
 {
     elbow_6r_screw_mark marks[ELBOW_6R_SCREW_MAX_SOLUTIONS];
     return elbow_6r_screw_ik_marked(T, p, reference, q, marks);
 }
 
-int elbow_6r_screw_ik(const double T[16], const elbow_6r_screw_params *p, double q[][ELBOW_6R_SCREW_JOINTS])
+KINSYM_FN int elbow_6r_screw_ik(const double T[16], const elbow_6r_screw_params *p,
+    double q[][ELBOW_6R_SCREW_JOINTS])
 {
     return elbow_6r_screw_ik_near(T, p, NULL, q);
 }
@@ -856,20 +861,20 @@ const char *const elbow_6r_screw_branches[ELBOW_6R_SCREW_MAX_SOLUTIONS] = {
     "shoulder left, wrist flipped, elbow down",
 };
 
-const double elbow_6r_screw_lower[ELBOW_6R_SCREW_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
-    -HUGE_VAL, -HUGE_VAL};
-const double elbow_6r_screw_upper[ELBOW_6R_SCREW_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
-    HUGE_VAL};
+KINSYM_DATA const double elbow_6r_screw_lower[ELBOW_6R_SCREW_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+    -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+KINSYM_DATA const double elbow_6r_screw_upper[ELBOW_6R_SCREW_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL,
+    HUGE_VAL, HUGE_VAL, HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "RRRRRR";
+static KINSYM_DATA const char kinds[] = "RRRRRR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[ELBOW_6R_SCREW_JOINTS])
+KINSYM_FN static int are_numbers(const double x[ELBOW_6R_SCREW_JOINTS])
 {
     for (int i = 0; x != NULL && i < ELBOW_6R_SCREW_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -880,7 +885,7 @@ static int are_numbers(const double x[ELBOW_6R_SCREW_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[ELBOW_6R_SCREW_JOINTS], const double upper[ELBOW_6R_SCREW_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[ELBOW_6R_SCREW_JOINTS], const double upper[ELBOW_6R_SCREW_JOINTS])
 {
     for (int i = 0; i < ELBOW_6R_SCREW_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -891,7 +896,7 @@ static int all_intervals(const double lower[ELBOW_6R_SCREW_JOINTS], const double
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -899,18 +904,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static elbow_6r_screw_status status_of(elbow_6r_screw_mark special)
+KINSYM_FN static elbow_6r_screw_status status_of(elbow_6r_screw_mark special)
 {
     return special.free | special.border ? ELBOW_6R_SCREW_SINGULAR : ELBOW_6R_SCREW_SOLVED;
 }
 
-elbow_6r_screw_status elbow_6r_screw_solve(const double T[16], const elbow_6r_screw_params *p,
+KINSYM_FN elbow_6r_screw_status elbow_6r_screw_solve(const double T[16], const elbow_6r_screw_params *p,
     const double reference[ELBOW_6R_SCREW_JOINTS], elbow_6r_screw_solutions *out)
 {
     out->count = 0;
@@ -934,7 +939,7 @@ elbow_6r_screw_status elbow_6r_screw_solve(const double T[16], const elbow_6r_sc
     return out->status;
 }
 
-unsigned elbow_6r_screw_family(unsigned free)
+KINSYM_FN unsigned elbow_6r_screw_family(unsigned free)
 {
     unsigned moving = free;
     moving |= (free & 14u) == 14u ? 46u : 0u;
@@ -942,7 +947,7 @@ unsigned elbow_6r_screw_family(unsigned free)
     return moving;
 }
 
-int elbow_6r_screw_within(const double T[16], const elbow_6r_screw_params *p,
+KINSYM_FN int elbow_6r_screw_within(const double T[16], const elbow_6r_screw_params *p,
     const double reference[ELBOW_6R_SCREW_JOINTS], const double lower[ELBOW_6R_SCREW_JOINTS],
     const double upper[ELBOW_6R_SCREW_JOINTS], int capacity, double q[][ELBOW_6R_SCREW_JOINTS],
     elbow_6r_screw_mark marks[])
@@ -988,7 +993,7 @@ int elbow_6r_screw_within(const double T[16], const elbow_6r_screw_params *p,
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-elbow_6r_screw_status elbow_6r_screw_nearest(const double T[16], const elbow_6r_screw_params *p,
+KINSYM_FN elbow_6r_screw_status elbow_6r_screw_nearest(const double T[16], const elbow_6r_screw_params *p,
     const double reference[ELBOW_6R_SCREW_JOINTS], const double weights[ELBOW_6R_SCREW_JOINTS],
     const double lower[ELBOW_6R_SCREW_JOINTS], const double upper[ELBOW_6R_SCREW_JOINTS],
     double q[ELBOW_6R_SCREW_JOINTS])
@@ -1051,7 +1056,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -1069,18 +1074,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const elbow_6r_screw_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const elbow_6r_screw_params *p, int path, lane_block *block)
 {
     const double a2 = p->a2;
     const double a3 = p->a3;
@@ -1124,7 +1129,7 @@ static void fk_block(const elbow_6r_screw_params *p, int path, lane_block *block
         const double v16_y = s234 * v46_x - c234 * s6;
         const double w16_x = c234 * c5;
         const double w16_y = s234 * c5;
-        const double sum1 = a4 + p46_x;
+        const double sum1 = p46_x + a4;
         const double p16_x = a2 * c2 + a3 * c23 + c234 * sum1;
         const double p16_y = a2 * s2 + a3 * s23 + s234 * sum1;
         block->T[0][k] = c1 * u16_x - s1 * u46_y;
@@ -1142,7 +1147,7 @@ static void fk_block(const elbow_6r_screw_params *p, int path, lane_block *block
     }
 }
 
-void elbow_6r_screw_fk_batch(const double q[], int n, const elbow_6r_screw_params *p, double T[])
+KINSYM_FN void elbow_6r_screw_fk_batch(const double q[], int n, const elbow_6r_screw_params *p, double T[])
 {
     lane_block block;
     for (int first = 0; first < n; first += LANES) {
@@ -1175,13 +1180,13 @@ void elbow_6r_screw_fk_batch(const double q[], int n, const elbow_6r_screw_param
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart. */
-static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
 {
     const double r = sqrt(a * a + b * b);
     const double per_r = 1.0 / r;
@@ -1195,8 +1200,8 @@ static inline double lane_homogeneous(double a, double b, double t, double c[2],
 
 /* Two links l1, l2 that reach (x, y): the second has the components k along the first and w across it; the first sees
  * the point at (along, w). */
-static inline double lane_triangle(double x, double y, double l1, double l2, double t,
-                                   double *k, double w[2], double *along, double *marked)
+KINSYM_FN static inline double lane_triangle(double x, double y, double l1, double l2, double t, double *k, double w[2],
+    double *along, double *marked)
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -1216,8 +1221,8 @@ static inline double lane_triangle(double x, double y, double l1, double l2, dou
 }
 
 /* The angle that turns (along, across) into the direction of (x, y). */
-static inline void lane_direction(double x, double y, double along, double across, double t, double *c, double *s,
-                                  double *marked)
+KINSYM_FN static inline void lane_direction(double x, double y, double along, double across, double t, double *c,
+    double *s, double *marked)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -1232,7 +1237,7 @@ static inline void lane_direction(double x, double y, double along, double acros
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -1273,7 +1278,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const elbow_6r_screw_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const elbow_6r_screw_params *p, lane_block *block)
 {
     const double a2 = p->a2;
     const double a3 = p->a3;
@@ -1400,7 +1405,7 @@ static void solve_block(const elbow_6r_screw_params *p, lane_block *block)
     }
 }
 
-int elbow_6r_screw_ik_batch(const double T[], int n, const elbow_6r_screw_params *p,
+KINSYM_FN int elbow_6r_screw_ik_batch(const double T[], int n, const elbow_6r_screw_params *p,
     const double reference[ELBOW_6R_SCREW_JOINTS], double q[][ELBOW_6R_SCREW_JOINTS], int counts[])
 {
     if (!usable(p)) {
@@ -1432,3 +1437,7 @@ int elbow_6r_screw_ik_batch(const double T[], int n, const elbow_6r_screw_params
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

@@ -33,9 +33,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If ELBOW_6R_SCREW_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes elbow_6r_screw.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef ELBOW_6R_SCREW_H
 #define ELBOW_6R_SCREW_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -67,10 +86,11 @@ typedef struct elbow_6r_screw_params {
 
 /* Forward kinematics: the pose T of the joint vector q. With p = NULL every entry is NaN, here and in the
  * Jacobian: the table has no value for a2, a3, a4, d6. */
-void elbow_6r_screw_fk(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_screw_params *p, double T[16]);
+KINSYM_FN void elbow_6r_screw_fk(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_screw_params *p,
+    double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void elbow_6r_screw_jacobian(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_screw_params *p,
+KINSYM_FN void elbow_6r_screw_jacobian(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_6r_screw_params *p,
     double J[6 * ELBOW_6R_SCREW_JOINTS]);
 
 /*
@@ -96,11 +116,12 @@ void elbow_6r_screw_jacobian(const double q[ELBOW_6R_SCREW_JOINTS], const elbow_
  * or if one of these vanishes, which the equations take for granted: a2, a3.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int elbow_6r_screw_ik(const double T[16], const elbow_6r_screw_params *p, double q[][ELBOW_6R_SCREW_JOINTS]);
+KINSYM_FN int elbow_6r_screw_ik(const double T[16], const elbow_6r_screw_params *p,
+    double q[][ELBOW_6R_SCREW_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int elbow_6r_screw_ik_near(const double T[16], const elbow_6r_screw_params *p,
+KINSYM_FN int elbow_6r_screw_ik_near(const double T[16], const elbow_6r_screw_params *p,
     const double reference[ELBOW_6R_SCREW_JOINTS], double q[][ELBOW_6R_SCREW_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -112,7 +133,7 @@ typedef struct elbow_6r_screw_mark {
 } elbow_6r_screw_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int elbow_6r_screw_ik_marked(const double T[16], const elbow_6r_screw_params *p,
+KINSYM_FN int elbow_6r_screw_ik_marked(const double T[16], const elbow_6r_screw_params *p,
     const double reference[ELBOW_6R_SCREW_JOINTS], double q[][ELBOW_6R_SCREW_JOINTS],
     elbow_6r_screw_mark marks[]);
 
@@ -134,7 +155,8 @@ int elbow_6r_screw_ik_marked(const double T[16], const elbow_6r_screw_params *p,
 extern const char *const elbow_6r_screw_branches[ELBOW_6R_SCREW_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double elbow_6r_screw_lower[ELBOW_6R_SCREW_JOINTS], elbow_6r_screw_upper[ELBOW_6R_SCREW_JOINTS];
+extern KINSYM_DATA const double elbow_6r_screw_lower[ELBOW_6R_SCREW_JOINTS];
+extern KINSYM_DATA const double elbow_6r_screw_upper[ELBOW_6R_SCREW_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct elbow_6r_screw_solutions {
@@ -145,12 +167,12 @@ typedef struct elbow_6r_screw_solutions {
 } elbow_6r_screw_solutions;
 
 /* ik_marked with a status, which is returned as well; ELBOW_6R_SCREW_BAD_REFERENCE if the reference is not finite. */
-elbow_6r_screw_status elbow_6r_screw_solve(const double T[16], const elbow_6r_screw_params *p,
+KINSYM_FN elbow_6r_screw_status elbow_6r_screw_solve(const double T[16], const elbow_6r_screw_params *p,
     const double reference[ELBOW_6R_SCREW_JOINTS], elbow_6r_screw_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned elbow_6r_screw_family(unsigned free);
+KINSYM_FN unsigned elbow_6r_screw_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -158,7 +180,7 @@ unsigned elbow_6r_screw_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * ELBOW_6R_SCREW_BAD_LIMIT if limits are no interval. */
-int elbow_6r_screw_within(const double T[16], const elbow_6r_screw_params *p,
+KINSYM_FN int elbow_6r_screw_within(const double T[16], const elbow_6r_screw_params *p,
     const double reference[ELBOW_6R_SCREW_JOINTS], const double lower[ELBOW_6R_SCREW_JOINTS],
     const double upper[ELBOW_6R_SCREW_JOINTS], int capacity, double q[][ELBOW_6R_SCREW_JOINTS],
     elbow_6r_screw_mark marks[]);
@@ -167,7 +189,7 @@ int elbow_6r_screw_within(const double T[16], const elbow_6r_screw_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. ELBOW_6R_SCREW_BAD_WEIGHT if a weight is negative or not finite. */
-elbow_6r_screw_status elbow_6r_screw_nearest(const double T[16], const elbow_6r_screw_params *p,
+KINSYM_FN elbow_6r_screw_status elbow_6r_screw_nearest(const double T[16], const elbow_6r_screw_params *p,
     const double reference[ELBOW_6R_SCREW_JOINTS], const double weights[ELBOW_6R_SCREW_JOINTS],
     const double lower[ELBOW_6R_SCREW_JOINTS], const double upper[ELBOW_6R_SCREW_JOINTS],
     double q[ELBOW_6R_SCREW_JOINTS]);
@@ -175,7 +197,7 @@ elbow_6r_screw_status elbow_6r_screw_nearest(const double T[16], const elbow_6r_
 /* Forward kinematics of n joint vectors: q has ELBOW_6R_SCREW_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void elbow_6r_screw_fk_batch(const double q[], int n, const elbow_6r_screw_params *p, double T[]);
+KINSYM_FN void elbow_6r_screw_fk_batch(const double q[], int n, const elbow_6r_screw_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -188,7 +210,7 @@ void elbow_6r_screw_fk_batch(const double q[], int n, const elbow_6r_screw_param
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 60 kB of stack are used. */
-int elbow_6r_screw_ik_batch(const double T[], int n, const elbow_6r_screw_params *p,
+KINSYM_FN int elbow_6r_screw_ik_batch(const double T[], int n, const elbow_6r_screw_params *p,
     const double reference[ELBOW_6R_SCREW_JOINTS], double q[][ELBOW_6R_SCREW_JOINTS], int counts[]);
 
 #ifdef __cplusplus

@@ -21,8 +21,9 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
@@ -32,7 +33,7 @@ double sqrt(double) __attribute__((const)); /* the library's own declaration let
 #ifdef ELBOW_RRR_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -44,7 +45,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -81,7 +82,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -89,28 +91,28 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The angle half a turn away, in (-pi, pi]; what is too small to be seen beside pi counts as 0. */
-static inline double half_turn(double angle)
+KINSYM_FN static inline double half_turn(double angle)
 {
     const double pi = 3.141592653589793;
     return angle + (angle > 2.220446049250313e-16 ? -pi : pi);
 }
 
 /* The opposite angle in (-pi, pi]. */
-static inline double opposite(double angle)
+KINSYM_FN static inline double opposite(double angle)
 {
     const double pi = 3.141592653589793;
     return angle < pi ? -angle : angle;
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void elbow_rrr_fk(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p, double T[16])
+KINSYM_FN void elbow_rrr_fk(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p, double T[16])
 {
     if (p == NULL) {
         for (int i = 0; i < 16; ++i) {
@@ -151,7 +153,7 @@ void elbow_rrr_fk(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p, d
     T[15] = 1.0;
 }
 
-void elbow_rrr_jacobian(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p,
+KINSYM_FN void elbow_rrr_jacobian(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p,
     double J[6 * ELBOW_RRR_JOINTS])
 {
     if (p == NULL) {
@@ -178,20 +180,20 @@ void elbow_rrr_jacobian(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params
     const double oE_x = c1 * sum1;
     const double oE_y = s1 * sum1;
     const double product3 = a2 * s2;
-    const double sum2 = d1 + product3;
+    const double sum2 = product3 + d1;
     const double oE_z = sum2 + a3 * s23;
     const double o3_x = product1 * c1;
     const double o3_y = product1 * s1;
     const double o3_z = sum2;
     const double sum3 = d1 - oE_z;
-    const double sum4 = o3_z - oE_z;
+    const double sum4 = oE_z - o3_z;
 
     J[0] = -oE_y;
     J[1] = c1 * sum3;
-    J[2] = c1 * sum4;
+    J[2] = -c1 * sum4;
     J[3] = oE_x;
     J[4] = s1 * sum3;
-    J[5] = s1 * sum4;
+    J[5] = -s1 * sum4;
     J[6] = 0.0;
     J[7] = s1 * oE_y + c1 * oE_x;
     J[8] = s1 * (oE_y - o3_y) + c1 * (oE_x - o3_x);
@@ -217,7 +219,8 @@ void elbow_rrr_jacobian(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params
 #define NEAR 67108864.0
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2],
+    int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
@@ -238,8 +241,8 @@ static int solve_homogeneous(double a, double b, double t, double reference, dou
 /* Two links l1, l2 that reach (x, y). The second link has the components k along the first link and w across
  * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. Out of reach
  * there is none, but just out of it, or anywhere if loose, one in doubt. */
-static int solve_triangle(double x, double y, double l1, double l2, double t, int loose,
-                          double *k, double w[2], double *along, int mark[2])
+KINSYM_FN static int solve_triangle(double x, double y, double l1, double l2, double t, int loose, double *k,
+    double w[2], double *along, int mark[2])
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -268,8 +271,8 @@ static int solve_triangle(double x, double y, double l1, double l2, double t, in
 }
 
 /* The angle that turns (along, across) into the direction of (x, y); free if (x, y) vanishes. */
-static int solve_direction(double x, double y, double along, double across, double t, double reference,
-                           double *c, double *s)
+KINSYM_FN static int solve_direction(double x, double y, double along, double across, double t, double reference,
+    double *c, double *s)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -288,7 +291,7 @@ static int solve_direction(double x, double y, double along, double across, doub
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -329,7 +332,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -345,7 +348,7 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether nothing vanishes that the equations take for granted. */
-static int regular(const elbow_rrr_params *p)
+KINSYM_FN static int regular(const elbow_rrr_params *p)
 {
     const double d1 = p->d1;
     const double a2 = p->a2;
@@ -355,13 +358,13 @@ static int regular(const elbow_rrr_params *p)
 }
 
 /* Whether every parameter has a finite value, and none one that this solver is not for. */
-static int usable(const elbow_rrr_params *p)
+KINSYM_FN static int usable(const elbow_rrr_params *p)
 {
     return p != NULL && isfinite(p->d1) && isfinite(p->a2) && isfinite(p->a3) && regular(p);
 }
 
 /* Whether all joint values are numbers; lengths near the limits of double precision can overflow on the way. */
-static int all_finite(const double q[ELBOW_RRR_JOINTS])
+KINSYM_FN static int all_finite(const double q[ELBOW_RRR_JOINTS])
 {
     for (int i = 0; i < ELBOW_RRR_JOINTS; ++i) {
         if (!isfinite(q[i])) {
@@ -373,11 +376,11 @@ static int all_finite(const double q[ELBOW_RRR_JOINTS])
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 3
-static const int entry_of[ENTRIES] = {3, 7, 11};
+static KINSYM_DATA const int entry_of[ENTRIES] = {3, 7, 11};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p, const double M[12],
-    double size, double e[ENTRIES])
+KINSYM_FN static double distance(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p,
+    const double M[12], double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
     elbow_rrr_fk(q, p, T);
@@ -390,7 +393,7 @@ static double distance(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params 
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p, double size,
+KINSYM_FN static void slopes(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p, double size,
     double D[ENTRIES][ELBOW_RRR_JOINTS])
 {
     double T[16], J[6 * ELBOW_RRR_JOINTS];
@@ -409,7 +412,7 @@ static void slopes(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p, 
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][ELBOW_RRR_JOINTS], const double e[ENTRIES], double damping,
+KINSYM_FN static void step(double D[ENTRIES][ELBOW_RRR_JOINTS], const double e[ENTRIES], double damping,
     double g[ELBOW_RRR_JOINTS])
 {
     double A[ELBOW_RRR_JOINTS + 1][ENTRIES + ELBOW_RRR_JOINTS];
@@ -442,7 +445,8 @@ static void step(double D[ENTRIES][ELBOW_RRR_JOINTS], const double e[ENTRIES], d
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p, const double M[12], double size)
+KINSYM_FN static double polish(double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p, const double M[12],
+    double size)
 {
     double e[ENTRIES], D[ENTRIES][ELBOW_RRR_JOINTS], g[ELBOW_RRR_JOINTS], trial[ELBOW_RRR_JOINTS];
     double left = distance(q, p, M, size, e), caution = 1.0;
@@ -471,8 +475,8 @@ static double polish(double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p, cons
  * Where two borders cross the distance is stationary, and a second start lies beside it. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
-static int settle(double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[], double alike[], unsigned twin,
-    int mark, const elbow_rrr_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settle(double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[], double alike[],
+    unsigned twin, int mark, const elbow_rrr_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[ELBOW_RRR_JOINTS], other[ELBOW_RRR_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -516,7 +520,8 @@ static int settle(double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[], double a
 
 /* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
  * alike tells, and puts the rest in the order of their branches; returns how many are left. */
-static int tidied(double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[], const double alike[], int count)
+KINSYM_FN static int tidied(double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[], const double alike[],
+    int count)
 {
     int kept = 0;
     for (int i = 0; i < count; ++i) {
@@ -552,8 +557,8 @@ static int tidied(double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[], const do
 }
 
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
-static int settled(double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[], const int found[], int count,
-    const elbow_rrr_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settled(double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[], const int found[],
+    int count, const elbow_rrr_params *p, const double M[12], double tau, double size)
 {
     double given[ELBOW_RRR_MAX_SOLUTIONS][ELBOW_RRR_JOINTS];
     unsigned branches[ELBOW_RRR_MAX_SOLUTIONS];
@@ -584,7 +589,7 @@ static int settled(double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[], const i
     return tidied(q, marks, alike, kept);
 }
 
-int elbow_rrr_ik_marked(const double T[16], const elbow_rrr_params *p,
+KINSYM_FN int elbow_rrr_ik_marked(const double T[16], const elbow_rrr_params *p,
     const double reference[ELBOW_RRR_JOINTS], double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[])
 {
     static const double zeros[ELBOW_RRR_JOINTS] = {0.0};
@@ -688,14 +693,14 @@ int elbow_rrr_ik_marked(const double T[16], const elbow_rrr_params *p,
     return special ? settled(q, marks, found, count, p, M, tau, size) : count;
 }
 
-int elbow_rrr_ik_near(const double T[16], const elbow_rrr_params *p, const double reference[ELBOW_RRR_JOINTS],
-    double q[][ELBOW_RRR_JOINTS])
+KINSYM_FN int elbow_rrr_ik_near(const double T[16], const elbow_rrr_params *p,
+    const double reference[ELBOW_RRR_JOINTS], double q[][ELBOW_RRR_JOINTS])
 {
     elbow_rrr_mark marks[ELBOW_RRR_MAX_SOLUTIONS];
     return elbow_rrr_ik_marked(T, p, reference, q, marks);
 }
 
-int elbow_rrr_ik(const double T[16], const elbow_rrr_params *p, double q[][ELBOW_RRR_JOINTS])
+KINSYM_FN int elbow_rrr_ik(const double T[16], const elbow_rrr_params *p, double q[][ELBOW_RRR_JOINTS])
 {
     return elbow_rrr_ik_near(T, p, NULL, q);
 }
@@ -707,18 +712,18 @@ const char *const elbow_rrr_branches[ELBOW_RRR_MAX_SOLUTIONS] = {
     "shoulder left, elbow down",
 };
 
-const double elbow_rrr_lower[ELBOW_RRR_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-const double elbow_rrr_upper[ELBOW_RRR_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+KINSYM_DATA const double elbow_rrr_lower[ELBOW_RRR_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+KINSYM_DATA const double elbow_rrr_upper[ELBOW_RRR_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "RRR";
+static KINSYM_DATA const char kinds[] = "RRR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[ELBOW_RRR_JOINTS])
+KINSYM_FN static int are_numbers(const double x[ELBOW_RRR_JOINTS])
 {
     for (int i = 0; x != NULL && i < ELBOW_RRR_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -729,7 +734,7 @@ static int are_numbers(const double x[ELBOW_RRR_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[ELBOW_RRR_JOINTS], const double upper[ELBOW_RRR_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[ELBOW_RRR_JOINTS], const double upper[ELBOW_RRR_JOINTS])
 {
     for (int i = 0; i < ELBOW_RRR_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -740,7 +745,7 @@ static int all_intervals(const double lower[ELBOW_RRR_JOINTS], const double uppe
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -748,18 +753,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static elbow_rrr_status status_of(elbow_rrr_mark special)
+KINSYM_FN static elbow_rrr_status status_of(elbow_rrr_mark special)
 {
     return special.free | special.border ? ELBOW_RRR_SINGULAR : ELBOW_RRR_SOLVED;
 }
 
-elbow_rrr_status elbow_rrr_solve(const double T[16], const elbow_rrr_params *p,
+KINSYM_FN elbow_rrr_status elbow_rrr_solve(const double T[16], const elbow_rrr_params *p,
     const double reference[ELBOW_RRR_JOINTS], elbow_rrr_solutions *out)
 {
     out->count = 0;
@@ -783,15 +788,15 @@ elbow_rrr_status elbow_rrr_solve(const double T[16], const elbow_rrr_params *p,
     return out->status;
 }
 
-unsigned elbow_rrr_family(unsigned free)
+KINSYM_FN unsigned elbow_rrr_family(unsigned free)
 {
     unsigned moving = free;
     return moving;
 }
 
-int elbow_rrr_within(const double T[16], const elbow_rrr_params *p, const double reference[ELBOW_RRR_JOINTS],
-    const double lower[ELBOW_RRR_JOINTS], const double upper[ELBOW_RRR_JOINTS], int capacity,
-    double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[])
+KINSYM_FN int elbow_rrr_within(const double T[16], const elbow_rrr_params *p,
+    const double reference[ELBOW_RRR_JOINTS], const double lower[ELBOW_RRR_JOINTS],
+    const double upper[ELBOW_RRR_JOINTS], int capacity, double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[])
 {
     const double *low = lower == NULL ? elbow_rrr_lower : lower;
     const double *high = upper == NULL ? elbow_rrr_upper : upper;
@@ -834,7 +839,7 @@ int elbow_rrr_within(const double T[16], const elbow_rrr_params *p, const double
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-elbow_rrr_status elbow_rrr_nearest(const double T[16], const elbow_rrr_params *p,
+KINSYM_FN elbow_rrr_status elbow_rrr_nearest(const double T[16], const elbow_rrr_params *p,
     const double reference[ELBOW_RRR_JOINTS], const double weights[ELBOW_RRR_JOINTS],
     const double lower[ELBOW_RRR_JOINTS], const double upper[ELBOW_RRR_JOINTS], double q[ELBOW_RRR_JOINTS])
 {
@@ -896,7 +901,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -914,18 +919,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const elbow_rrr_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const elbow_rrr_params *p, int path, lane_block *block)
 {
     const double d1 = p->d1;
     const double a2 = p->a2;
@@ -964,7 +969,7 @@ static void fk_block(const elbow_rrr_params *p, int path, lane_block *block)
     }
 }
 
-void elbow_rrr_fk_batch(const double q[], int n, const elbow_rrr_params *p, double T[])
+KINSYM_FN void elbow_rrr_fk_batch(const double q[], int n, const elbow_rrr_params *p, double T[])
 {
     lane_block block;
     for (int first = 0; first < n; first += LANES) {
@@ -997,13 +1002,13 @@ void elbow_rrr_fk_batch(const double q[], int n, const elbow_rrr_params *p, doub
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart. */
-static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
 {
     const double r = sqrt(a * a + b * b);
     const double per_r = 1.0 / r;
@@ -1017,8 +1022,8 @@ static inline double lane_homogeneous(double a, double b, double t, double c[2],
 
 /* Two links l1, l2 that reach (x, y): the second has the components k along the first and w across it; the first sees
  * the point at (along, w). */
-static inline double lane_triangle(double x, double y, double l1, double l2, double t,
-                                   double *k, double w[2], double *along, double *marked)
+KINSYM_FN static inline double lane_triangle(double x, double y, double l1, double l2, double t, double *k, double w[2],
+    double *along, double *marked)
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -1038,8 +1043,8 @@ static inline double lane_triangle(double x, double y, double l1, double l2, dou
 }
 
 /* The angle that turns (along, across) into the direction of (x, y). */
-static inline void lane_direction(double x, double y, double along, double across, double t, double *c, double *s,
-                                  double *marked)
+KINSYM_FN static inline void lane_direction(double x, double y, double along, double across, double t, double *c,
+    double *s, double *marked)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -1054,7 +1059,7 @@ static inline void lane_direction(double x, double y, double along, double acros
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -1095,7 +1100,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const elbow_rrr_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const elbow_rrr_params *p, lane_block *block)
 {
     const double d1 = p->d1;
     const double a2 = p->a2;
@@ -1159,7 +1164,7 @@ static void solve_block(const elbow_rrr_params *p, lane_block *block)
     }
 }
 
-int elbow_rrr_ik_batch(const double T[], int n, const elbow_rrr_params *p,
+KINSYM_FN int elbow_rrr_ik_batch(const double T[], int n, const elbow_rrr_params *p,
     const double reference[ELBOW_RRR_JOINTS], double q[][ELBOW_RRR_JOINTS], int counts[])
 {
     if (!usable(p)) {
@@ -1191,3 +1196,7 @@ int elbow_rrr_ik_batch(const double T[], int n, const elbow_rrr_params *p,
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

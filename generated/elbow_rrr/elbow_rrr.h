@@ -29,9 +29,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If ELBOW_RRR_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes elbow_rrr.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef ELBOW_RRR_H
 #define ELBOW_RRR_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -62,10 +81,10 @@ typedef struct elbow_rrr_params {
 
 /* Forward kinematics: the pose T of the joint vector q. With p = NULL every entry is NaN, here and in the
  * Jacobian: the table has no value for d1, a2, a3. */
-void elbow_rrr_fk(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p, double T[16]);
+KINSYM_FN void elbow_rrr_fk(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p, double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void elbow_rrr_jacobian(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p,
+KINSYM_FN void elbow_rrr_jacobian(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params *p,
     double J[6 * ELBOW_RRR_JOINTS]);
 
 /*
@@ -87,12 +106,12 @@ void elbow_rrr_jacobian(const double q[ELBOW_RRR_JOINTS], const elbow_rrr_params
  * or if one of these vanishes, which the equations take for granted: a2, a3.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int elbow_rrr_ik(const double T[16], const elbow_rrr_params *p, double q[][ELBOW_RRR_JOINTS]);
+KINSYM_FN int elbow_rrr_ik(const double T[16], const elbow_rrr_params *p, double q[][ELBOW_RRR_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int elbow_rrr_ik_near(const double T[16], const elbow_rrr_params *p, const double reference[ELBOW_RRR_JOINTS],
-    double q[][ELBOW_RRR_JOINTS]);
+KINSYM_FN int elbow_rrr_ik_near(const double T[16], const elbow_rrr_params *p,
+    const double reference[ELBOW_RRR_JOINTS], double q[][ELBOW_RRR_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
  * ELBOW_RRR_MAX_SOLUTIONS - 1,
@@ -103,7 +122,7 @@ typedef struct elbow_rrr_mark {
 } elbow_rrr_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int elbow_rrr_ik_marked(const double T[16], const elbow_rrr_params *p,
+KINSYM_FN int elbow_rrr_ik_marked(const double T[16], const elbow_rrr_params *p,
     const double reference[ELBOW_RRR_JOINTS], double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[]);
 
 /* The names of the branches by their number:
@@ -119,7 +138,8 @@ int elbow_rrr_ik_marked(const double T[16], const elbow_rrr_params *p,
 extern const char *const elbow_rrr_branches[ELBOW_RRR_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double elbow_rrr_lower[ELBOW_RRR_JOINTS], elbow_rrr_upper[ELBOW_RRR_JOINTS];
+extern KINSYM_DATA const double elbow_rrr_lower[ELBOW_RRR_JOINTS];
+extern KINSYM_DATA const double elbow_rrr_upper[ELBOW_RRR_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct elbow_rrr_solutions {
@@ -130,12 +150,12 @@ typedef struct elbow_rrr_solutions {
 } elbow_rrr_solutions;
 
 /* ik_marked with a status, which is returned as well; ELBOW_RRR_BAD_REFERENCE if the reference is not finite. */
-elbow_rrr_status elbow_rrr_solve(const double T[16], const elbow_rrr_params *p,
+KINSYM_FN elbow_rrr_status elbow_rrr_solve(const double T[16], const elbow_rrr_params *p,
     const double reference[ELBOW_RRR_JOINTS], elbow_rrr_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned elbow_rrr_family(unsigned free);
+KINSYM_FN unsigned elbow_rrr_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -143,22 +163,22 @@ unsigned elbow_rrr_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * ELBOW_RRR_BAD_LIMIT if limits are no interval. */
-int elbow_rrr_within(const double T[16], const elbow_rrr_params *p, const double reference[ELBOW_RRR_JOINTS],
-    const double lower[ELBOW_RRR_JOINTS], const double upper[ELBOW_RRR_JOINTS], int capacity,
-    double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[]);
+KINSYM_FN int elbow_rrr_within(const double T[16], const elbow_rrr_params *p,
+    const double reference[ELBOW_RRR_JOINTS], const double lower[ELBOW_RRR_JOINTS],
+    const double upper[ELBOW_RRR_JOINTS], int capacity, double q[][ELBOW_RRR_JOINTS], elbow_rrr_mark marks[]);
 
 /* The solution nearest to a reference: least is the sum of weights (NULL: 1) times squared differences, over all
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. ELBOW_RRR_BAD_WEIGHT if a weight is negative or not finite. */
-elbow_rrr_status elbow_rrr_nearest(const double T[16], const elbow_rrr_params *p,
+KINSYM_FN elbow_rrr_status elbow_rrr_nearest(const double T[16], const elbow_rrr_params *p,
     const double reference[ELBOW_RRR_JOINTS], const double weights[ELBOW_RRR_JOINTS],
     const double lower[ELBOW_RRR_JOINTS], const double upper[ELBOW_RRR_JOINTS], double q[ELBOW_RRR_JOINTS]);
 
 /* Forward kinematics of n joint vectors: q has ELBOW_RRR_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void elbow_rrr_fk_batch(const double q[], int n, const elbow_rrr_params *p, double T[]);
+KINSYM_FN void elbow_rrr_fk_batch(const double q[], int n, const elbow_rrr_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -171,7 +191,7 @@ void elbow_rrr_fk_batch(const double q[], int n, const elbow_rrr_params *p, doub
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 30 kB of stack are used. */
-int elbow_rrr_ik_batch(const double T[], int n, const elbow_rrr_params *p,
+KINSYM_FN int elbow_rrr_ik_batch(const double T[], int n, const elbow_rrr_params *p,
     const double reference[ELBOW_RRR_JOINTS], double q[][ELBOW_RRR_JOINTS], int counts[]);
 
 #ifdef __cplusplus

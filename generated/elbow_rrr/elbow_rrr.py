@@ -130,21 +130,21 @@ def jacobian(q, *, d1, a2, a3):
     oE_x = c1 * sum1
     oE_y = s1 * sum1
     product3 = a2 * s2
-    sum2 = d1 + product3
+    sum2 = product3 + d1
     oE_z = sum2 + a3 * s23
     o3_x = product1 * c1
     o3_y = product1 * s1
     o3_z = sum2
     sum3 = d1 - oE_z
-    sum4 = o3_z - oE_z
+    sum4 = oE_z - o3_z
 
     J = np.zeros((*q.shape[:-1], 6, 3))
     J[..., 0, 0] = -oE_y
     J[..., 0, 1] = c1 * sum3
-    J[..., 0, 2] = c1 * sum4
+    J[..., 0, 2] = -c1 * sum4
     J[..., 1, 0] = oE_x
     J[..., 1, 1] = s1 * sum3
-    J[..., 1, 2] = s1 * sum4
+    J[..., 1, 2] = -s1 * sum4
     J[..., 2, 1] = s1 * oE_y + c1 * oE_x
     J[..., 2, 2] = s1 * (oE_y - o3_y) + c1 * (oE_x - o3_x)
     J[..., 3, 1] = s1

@@ -24,15 +24,16 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
 double sqrt(double) __attribute__((const)); /* the library's own declaration lets it write errno */
 #endif
 
-const fanuc_crx10ial_params fanuc_crx10ial_defaults = {
+KINSYM_DATA const fanuc_crx10ial_params fanuc_crx10ial_defaults = {
     0.245, /* d1 */
     0.71, /* a2 */
     0.54, /* d4 */
@@ -41,14 +42,15 @@ const fanuc_crx10ial_params fanuc_crx10ial_defaults = {
 };
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void fanuc_crx10ial_fk(const double q[FANUC_CRX10IAL_JOINTS], const fanuc_crx10ial_params *p, double T[16])
+KINSYM_FN void fanuc_crx10ial_fk(const double q[FANUC_CRX10IAL_JOINTS], const fanuc_crx10ial_params *p,
+    double T[16])
 {
     if (p == NULL) {
         p = &fanuc_crx10ial_defaults;
@@ -118,7 +120,7 @@ void fanuc_crx10ial_fk(const double q[FANUC_CRX10IAL_JOINTS], const fanuc_crx10i
     T[15] = 1.0;
 }
 
-void fanuc_crx10ial_jacobian(const double q[FANUC_CRX10IAL_JOINTS], const fanuc_crx10ial_params *p,
+KINSYM_FN void fanuc_crx10ial_jacobian(const double q[FANUC_CRX10IAL_JOINTS], const fanuc_crx10ial_params *p,
     double J[6 * FANUC_CRX10IAL_JOINTS])
 {
     if (p == NULL) {
@@ -144,80 +146,80 @@ void fanuc_crx10ial_jacobian(const double q[FANUC_CRX10IAL_JOINTS], const fanuc_
     const double s4 = sin(theta4);
     const double c5 = cos(theta5);
     const double s5 = sin(theta5);
-    const double product3 = d5 * s4;
     const double product2 = c4 * s5;
     const double product9 = d6 * product2;
-    const double sum5 = product3 + product9;
-    const double product8 = c5 * d6;
-    const double sum4 = d4 + product8;
+    const double product3 = d5 * s4;
+    const double sum5 = product9 + product3;
     const double product1 = a2 * s2;
-    const double sum8 = c2m3 * sum4 + product1;
-    const double sum9 = s2m3 * sum5 + sum8;
-    const double product5 = s4 * s5;
-    const double product10 = d6 * product5;
+    const double product8 = c5 * d6;
+    const double sum4 = product8 + d4;
+    const double sum8 = product1 + c2m3 * sum4;
+    const double sum20 = s2m3 * sum5 + sum8;
     const double product4 = c4 * d5;
-    const double sum10 = product10 - product4;
-    const double oE_x = c1 * sum9 - s1 * sum10;
-    const double oE_y = c1 * sum10 + s1 * sum9;
+    const double product5 = s5 * s4;
+    const double product15 = d6 * product5;
+    const double sum9 = product4 - product15;
+    const double oE_x = c1 * sum20 + s1 * sum9;
+    const double oE_y = -c1 * sum9 + s1 * sum20;
     const double product6 = a2 * c2;
-    const double sum1 = d1 + product6;
+    const double sum1 = product6 + d1;
     const double oE_z = sum1 + c2m3 * sum5 - s2m3 * sum4;
     const double o3_x = product1 * c1;
     const double o3_y = product1 * s1;
     const double o3_z = sum1;
     const double z4_x = -c1 * c2m3;
     const double z4_y = -s1 * c2m3;
-    const double product11 = s2m3 * s4;
-    const double z5_x = product11 * c1 + s1 * c4;
-    const double z5_y = product11 * s1 - c1 * c4;
+    const double product10 = s4 * s2m3;
+    const double z5_x = product10 * c1 + s1 * c4;
+    const double z5_y = product10 * s1 - c1 * c4;
     const double z5_z = c2m3 * s4;
     const double product7 = c2m3 * d4;
     const double sum2 = product1 + product7;
     const double o5_x = c1 * sum2;
     const double o5_y = s1 * sum2;
-    const double product12 = d4 * s2m3;
-    const double sum11 = product12 - sum1;
-    const double o5_z = -sum11;
-    const double product13 = c2m3 * c5;
-    const double product14 = product2 * s2m3;
-    const double sum12 = product13 + product14;
-    const double z6_x = product5 * s1 - c1 * sum12;
-    const double z6_y = -product5 * c1 - s1 * sum12;
+    const double product11 = s2m3 * d4;
+    const double sum18 = product11 - sum1;
+    const double o5_z = -sum18;
+    const double product12 = c5 * c2m3;
+    const double product13 = s2m3 * product2;
+    const double sum10 = product12 + product13;
+    const double z6_x = product5 * s1 - c1 * sum10;
+    const double z6_y = -product5 * c1 - s1 * sum10;
     const double z6_z = s2m3 * c5 - product2 * c2m3;
-    const double product15 = product3 * s2m3;
-    const double sum13 = product15 + sum2;
-    const double o6_x = c1 * sum13 + product4 * s1;
-    const double o6_y = s1 * sum13 - product4 * c1;
-    const double o6_z = -sum11 + product3 * c2m3;
-    const double sum3 = o3_z - oE_z;
-    const double sum6 = o3_y - oE_y;
-    const double sum7 = o3_x - oE_x;
-    const double sum14 = d1 - oE_z;
-    const double sum15 = o5_z - oE_z;
-    const double sum16 = o5_y - oE_y;
-    const double sum17 = o6_z - oE_z;
-    const double sum18 = o6_y - oE_y;
-    const double sum19 = o5_x - oE_x;
-    const double sum20 = o6_x - oE_x;
+    const double product14 = s2m3 * product3;
+    const double sum19 = product14 + sum2;
+    const double o6_x = c1 * sum19 + product4 * s1;
+    const double o6_y = s1 * sum19 - product4 * c1;
+    const double o6_z = -sum18 + product3 * c2m3;
+    const double sum3 = oE_z - o3_z;
+    const double sum6 = oE_y - o3_y;
+    const double sum7 = oE_x - o3_x;
+    const double sum11 = d1 - oE_z;
+    const double sum12 = oE_z - o5_z;
+    const double sum13 = oE_y - o5_y;
+    const double sum14 = oE_z - o6_z;
+    const double sum15 = oE_y - o6_y;
+    const double sum16 = oE_x - o5_x;
+    const double sum17 = oE_x - o6_x;
 
     J[0] = -oE_y;
-    J[1] = -c1 * sum14;
-    J[2] = c1 * sum3;
-    J[3] = -z4_y * sum3 + s2m3 * sum6;
-    J[4] = -z5_y * sum15 + z5_z * sum16;
-    J[5] = -z6_y * sum17 + z6_z * sum18;
+    J[1] = -c1 * sum11;
+    J[2] = -c1 * sum3;
+    J[3] = z4_y * sum3 - s2m3 * sum6;
+    J[4] = z5_y * sum12 - z5_z * sum13;
+    J[5] = z6_y * sum14 - z6_z * sum15;
     J[6] = oE_x;
-    J[7] = -s1 * sum14;
-    J[8] = s1 * sum3;
-    J[9] = -s2m3 * sum7 + z4_x * sum3;
-    J[10] = -z5_z * sum19 + z5_x * sum15;
-    J[11] = -z6_z * sum20 + z6_x * sum17;
+    J[7] = -s1 * sum11;
+    J[8] = -s1 * sum3;
+    J[9] = s2m3 * sum7 - z4_x * sum3;
+    J[10] = z5_z * sum16 - z5_x * sum12;
+    J[11] = z6_z * sum17 - z6_x * sum14;
     J[12] = 0.0;
     J[13] = -s1 * oE_y - c1 * oE_x;
-    J[14] = -s1 * sum6 - c1 * sum7;
-    J[15] = -z4_x * sum6 + z4_y * sum7;
-    J[16] = -z5_x * sum16 + z5_y * sum19;
-    J[17] = -z6_x * sum18 + z6_y * sum20;
+    J[14] = s1 * sum6 + c1 * sum7;
+    J[15] = z4_x * sum6 - z4_y * sum7;
+    J[16] = z5_x * sum13 - z5_y * sum16;
+    J[17] = z6_x * sum15 - z6_y * sum17;
     J[18] = 0.0;
     J[19] = -s1;
     J[20] = s1;
@@ -240,7 +242,7 @@ void fanuc_crx10ial_jacobian(const double q[FANUC_CRX10IAL_JOINTS], const fanuc_
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -281,7 +283,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -297,7 +299,7 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether nothing vanishes that the equations take for granted. */
-static int regular(const fanuc_crx10ial_params *p)
+KINSYM_FN static int regular(const fanuc_crx10ial_params *p)
 {
     const double d1 = p->d1;
     const double a2 = p->a2;
@@ -310,7 +312,7 @@ static int regular(const fanuc_crx10ial_params *p)
 }
 
 /* Whether every parameter has a finite value, and none one that this solver is not for. */
-static int usable(const fanuc_crx10ial_params *p)
+KINSYM_FN static int usable(const fanuc_crx10ial_params *p)
 {
     return isfinite(p->d1) && isfinite(p->a2) && isfinite(p->d4) && isfinite(p->d5) && isfinite(p->d6)
         && regular(p);
@@ -323,7 +325,7 @@ typedef struct rigid_motion {
 } rigid_motion;
 
 /* B, L1 .. L6 of T = B M1 L1 M2 L2 ... M6 L6, where Mi turns about or slides along the local z axis. */
-static void constant_motions(const fanuc_crx10ial_params *p, rigid_motion out[7])
+KINSYM_FN static void constant_motions(const fanuc_crx10ial_params *p, rigid_motion out[7])
 {
     const double d1 = p->d1;
     const double a2 = p->a2;
@@ -345,7 +347,7 @@ static void constant_motions(const fanuc_crx10ial_params *p, rigid_motion out[7]
 }
 
 /* c = a b; c is neither a nor b. */
-static void compose(const rigid_motion *a, const rigid_motion *b, rigid_motion *c)
+KINSYM_FN static void compose(const rigid_motion *a, const rigid_motion *b, rigid_motion *c)
 {
     for (int i = 0; i < 3; ++i) {
         const double *row = a->R + 3 * i;
@@ -357,7 +359,7 @@ static void compose(const rigid_motion *a, const rigid_motion *b, rigid_motion *
 }
 
 /* b = a^-1; b is not a. */
-static void invert(const rigid_motion *a, rigid_motion *b)
+KINSYM_FN static void invert(const rigid_motion *a, rigid_motion *b)
 {
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
@@ -368,8 +370,8 @@ static void invert(const rigid_motion *a, rigid_motion *b)
 }
 
 /* Which joints slide, and the sign with which a joint's value enters its motion. */
-static const int sliding[6] = {0, 0, 0, 0, 0, 0};
-static const double signs[6] = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+static KINSYM_DATA const int sliding[6] = {0, 0, 0, 0, 0, 0};
+static KINSYM_DATA const double signs[6] = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
 
 /* The arm at one pose, lengths in units of its scale: L1 .. L6, the pose B^-1 T that they must reach, the
  * motion G that closes the loop M1 L1 ... M6 G = I, and how near a solution must come to the pose. */
@@ -381,14 +383,14 @@ typedef struct arm {
     double tolerance;
 } arm;
 
-static double length(const double v[3])
+KINSYM_FN static double length(const double v[3])
 {
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
 /* Fills in the arm from B, L1 .. L6 and the pose; 0 if that is out of reach or the lengths exceed the range of
  * numbers. */
-static int place_arm(const rigid_motion link[7], const double M[12], arm *a)
+KINSYM_FN static int place_arm(const rigid_motion link[7], const double M[12], arm *a)
 {
     rigid_motion pose, back;
     double reach = 0.0;
@@ -441,7 +443,7 @@ typedef struct cut {
 } cut;
 
 /* The constant motions K0 .. K5 between the joints of an open loop: N0 K0 N1 K1 ... N5 K5 = I. */
-static void open_loop(const cut *way, const arm *a, rigid_motion K[6])
+KINSYM_FN static void open_loop(const cut *way, const arm *a, rigid_motion K[6])
 {
     for (int k = 0; k < 6; ++k) {
         const int joint = way->order[k], number = way->backward ? (joint + 5) % 6 : joint;
@@ -455,13 +457,13 @@ static void open_loop(const cut *way, const arm *a, rigid_motion K[6])
 }
 
 /* The sign with which the value of N_k enters its motion. */
-static double sign_in_loop(const cut *way, int k)
+KINSYM_FN static double sign_in_loop(const cut *way, int k)
 {
     return way->backward ? -signs[way->order[k]] : signs[way->order[k]];
 }
 
 /* Whether N_k slides. */
-static int slides(const cut *way, int k)
+KINSYM_FN static int slides(const cut *way, int k)
 {
     return sliding[way->order[k]];
 }
@@ -472,7 +474,7 @@ typedef struct joint_value {
 } joint_value;
 
 /* The cosine and sine of the direction (c, s). */
-static joint_value direction(double c, double s)
+KINSYM_FN static joint_value direction(double c, double s)
 {
     const double r = sqrt(c * c + s * s);
     joint_value result = {1.0, 0.0};
@@ -492,7 +494,7 @@ enum { CANDIDATES = 6 };
 enum { UNIT = 0, POINT = 1, SQUARE = 4, LINE = 5, FOOT = 8, MOMENT = 9, MIRRORED = 12, STATE = 15 };
 
 /* n states, n at most 9, carried along by a motion. */
-static void carry(const rigid_motion *g, int n, const double *v, double *out)
+KINSYM_FN static void carry(const rigid_motion *g, int n, const double *v, double *out)
 {
     const rigid_motion h = *g;
     const double *R = h.R, *t = h.t;
@@ -529,19 +531,19 @@ static void carry(const rigid_motion *g, int n, const double *v, double *out)
 }
 
 /* The state of the local z axis at the origin of a frame. */
-static void axis_state(const rigid_motion *g, double out[STATE])
+KINSYM_FN static void axis_state(const rigid_motion *g, double out[STATE])
 {
     const double z[STATE] = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0};
     carry(g, 1, z, out);
 }
 
 /* Where the x of each pair (x, y) of a state that turns about z stands; the other entries of a state stay. */
-static const int turning[4] = {POINT, LINE, MOMENT, MIRRORED};
-static const int staying[7] = {UNIT, POINT + 2, SQUARE, LINE + 2, FOOT, MOMENT + 2, MIRRORED + 2};
+static KINSYM_DATA const int turning[4] = {POINT, LINE, MOMENT, MIRRORED};
+static KINSYM_DATA const int staying[7] = {UNIT, POINT + 2, SQUARE, LINE + 2, FOOT, MOMENT + 2, MIRRORED + 2};
 
 /* n states moved by a joint about or along z: 3 n columns, first the coefficients of sin (of d), then those of
  * cos (of d^2), then the rest; sign is that of the joint's value. */
-static void split(int slides, double sign, int n, const double *v, double *out)
+KINSYM_FN static void split(int slides, double sign, int n, const double *v, double *out)
 {
     const int m = 3 * n;
     for (int i = 0; i < STATE * m; ++i) {
@@ -598,7 +600,7 @@ typedef struct equations {
 } equations;
 
 /* Householder's triangle of the first eight columns of the right side. */
-static void triangulate(equations *e)
+KINSYM_FN static void triangulate(equations *e)
 {
     double *A = e->right;
     for (int k = 0; k < 8; ++k) {
@@ -625,7 +627,7 @@ static void triangulate(equations *e)
 }
 
 /* Six orthonormal rows that vanish on the right side, but for the constants: 14 x 6. */
-static void annihilator(const equations *e, double N[14 * 6])
+KINSYM_FN static void annihilator(const equations *e, double N[14 * 6])
 {
     const double *A = e->right;
     for (int i = 0; i < 14 * 6; ++i) {
@@ -651,7 +653,7 @@ static void annihilator(const equations *e, double N[14 * 6])
 }
 
 /* The scalar product of two rows of 27, summed in three strands. */
-static double dot27(const double *a, const double *b)
+KINSYM_FN static double dot27(const double *a, const double *b)
 {
     double sum[3] = {0.0};
     for (int i = 0; i < 27; i += 3) {
@@ -662,7 +664,7 @@ static double dot27(const double *a, const double *b)
     return sum[0] + sum[1] + sum[2];
 }
 
-static void subtract27(double factor, const double *a, double *b)
+KINSYM_FN static void subtract27(double factor, const double *a, double *b)
 {
     for (int i = 0; i < 27; ++i) {
         b[i] -= factor * a[i];
@@ -671,7 +673,7 @@ static void subtract27(double factor, const double *a, double *b)
 
 /* Makes the six rows orthonormal, the longest first, so that one scale holds for all that follows. 0 if they
  * are not independent. */
-static int orthonormalise(double rows[6 * 27])
+KINSYM_FN static int orthonormalise(double rows[6 * 27])
 {
     for (int k = 0; k < 6; ++k) {
         double *row = rows + 27 * k;
@@ -708,7 +710,8 @@ static int orthonormalise(double rows[6 * 27])
 
 /* The six rows, columns 9 m2 + 3 m3 + m4: the annihilator times the left side, less the constants of the right.
  * */
-static void contract(const double N[14 * 6], double sign, const double *left, const double *right, double *six)
+KINSYM_FN static void contract(const double N[14 * 6], double sign, const double *left, const double *right,
+    double *six)
 {
     for (int i = 0; i < 6 * 27; ++i) {
         six[i] = 0.0;
@@ -736,7 +739,7 @@ static void contract(const double N[14 * 6], double sign, const double *left, co
 }
 
 /* Sets up the equations of a cut, and the six that are left; 0 if they are not independent. */
-static int set_up(const cut *way, const arm *a, equations *e, double six[6 * 27])
+KINSYM_FN static int set_up(const cut *way, const arm *a, equations *e, double six[6 * 27])
 {
     double line[STATE], three[STATE * 3], carried[STATE * 3], nine[STATE * 9], N[14 * 6];
     rigid_motion inverse;
@@ -778,7 +781,7 @@ typedef struct pencil {
     double part[3 * 54];
 } pencil;
 
-static void make_pencil(const cut *way, const double six[6 * 27], pencil *f)
+KINSYM_FN static void make_pencil(const cut *way, const double six[6 * 27], pencil *f)
 {
     const int x_step = way->shift ? 1 : 3, y_step = way->shift ? 3 : 1, x_slides = slides(way, way->shift ? 4 : 3);
     for (int part = 0; part < 3; ++part) {
@@ -804,7 +807,7 @@ static void make_pencil(const cut *way, const double six[6 * 27], pencil *f)
 }
 
 /* The same at a second chart for X near 0 and infinity: counted from pi/2 more on (1 more). */
-static void change_chart(int x_slides, double blocks[54])
+KINSYM_FN static void change_chart(int x_slides, double blocks[54])
 {
     for (int i = 0; i < 54; i += 9) {
         for (int y = 0; y < 3; ++y) {
@@ -818,7 +821,7 @@ static void change_chart(int x_slides, double blocks[54])
 }
 
 /* [A B C] where the suppressed joint has the sine s and the cosine c. */
-static void blocks_at(const pencil *f, double s, double c, double blocks[54])
+KINSYM_FN static void blocks_at(const pencil *f, double s, double c, double blocks[54])
 {
     for (int i = 0; i < 54; ++i) {
         blocks[i] = s * f->part[i] + c * f->part[54 + i] + f->part[108 + i];
@@ -826,16 +829,16 @@ static void blocks_at(const pencil *f, double s, double c, double blocks[54])
 }
 
 /* A generic column beside the matrix [A B C 0; 0 A B C] and a generic row below its middle columns. */
-static const double border_column[12] = {
+static KINSYM_DATA const double border_column[12] = {
     0.53, -0.41, 0.67, 0.38, -0.59, 0.44, -0.36, 0.62, 0.49, -0.55, 0.33, -0.64,
 };
-static const double border_row[6] = {
+static KINSYM_DATA const double border_row[6] = {
     0.47, -0.61, 0.35, 0.58, -0.39, 0.66,
 };
 
 /* Eliminates the outer unknowns X^3 W and W of [A B C 0; 0 A B C]; 6 x 6 entries on (X^2 W, X W) are left in K,
  * with the border 7 x 7; a row has eight places. Returns the product of the pivots. */
-static double reduce(const double blocks[54], int bordered, double K[56])
+KINSYM_FN static double reduce(const double blocks[54], int bordered, double K[56])
 {
     const int width = bordered ? 10 : 9;
     double product = 1.0;
@@ -890,7 +893,7 @@ static double reduce(const double blocks[54], int bordered, double K[56])
 }
 
 /* The determinant of [A B C 0; 0 A B C], up to a sign that is the same everywhere; with the border if asked. */
-static double determinant(const pencil *f, int bordered, double s, double c)
+KINSYM_FN static double determinant(const pencil *f, int bordered, double s, double c)
 {
     double blocks[54], K[56];
     blocks_at(f, s, c, blocks);
@@ -946,17 +949,17 @@ typedef struct limits {
     double pair;                      /* complex roots closer than this to the interval's line may be real ones */
 } limits;
 
-static const double binomial16[17] = {
+static KINSYM_DATA const double binomial16[17] = {
     1.0, 16.0, 120.0, 560.0, 1820.0, 4368.0, 8008.0, 11440.0, 12870.0, 11440.0, 8008.0, 4368.0, 1820.0, 560.0,
     120.0, 16.0, 1.0,
 };
-static const double binomial10[11] = {
+static KINSYM_DATA const double binomial10[11] = {
     1.0, 10.0, 45.0, 120.0, 210.0, 252.0, 210.0, 120.0, 45.0, 10.0, 1.0,
 };
 
 /* How often the sign changes along the Bernstein coefficients: as many roots at most, and less by an even
  * number. */
-static int sign_changes(int n, const double *c)
+KINSYM_FN static int sign_changes(int n, const double *c)
 {
     int changes = 0, sign = 0;
     for (int i = 0; i <= n; ++i) {
@@ -968,7 +971,7 @@ static int sign_changes(int n, const double *c)
 }
 
 /* De Casteljau's halving; the left half replaces c. */
-static void halve(int n, double *c, double *right)
+KINSYM_FN static void halve(int n, double *c, double *right)
 {
     for (int k = 0; k < n; ++k) {
         right[n - k] = c[n];
@@ -981,7 +984,7 @@ static void halve(int n, double *c, double *right)
 
 /* The root of a Bernstein polynomial with one sign change, in (0, 1): Newton in u/(1 - u), or in its inverse
  * beyond the middle; halving where Newton leaves the bracket. */
-static double simple_root(int n, const double *c)
+KINSYM_FN static double simple_root(int n, const double *c)
 {
     const double *binomial = n == 16 ? binomial16 : binomial10;
     double b[17], middle = 0.0;
@@ -1032,7 +1035,7 @@ static double simple_root(int n, const double *c)
 
 /* The distance from the real line of a pair of complex roots near [0, 1], and its foot; large where there is
  * none. */
-static double pair_distance(int n, const double *c, double *foot)
+KINSYM_FN static double pair_distance(int n, const double *c, double *foot)
 {
     double u = *foot, f = 0.0, second = 0.0;
     for (int step = 0; step < 6; ++step) {
@@ -1063,7 +1066,7 @@ static double pair_distance(int n, const double *c, double *foot)
 }
 
 /* What an interval holds. */
-static int examine(int n, const double *c, double across, int deepest, const limits *limit)
+KINSYM_FN static int examine(int n, const double *c, double across, int deepest, const limits *limit)
 {
     double largest = 0.0;
     for (int i = 0; i <= n; ++i) {
@@ -1081,7 +1084,7 @@ static int examine(int n, const double *c, double across, int deepest, const lim
 
 /* Halves the interval c into c and right. Where neither half has a root, a pair of complex ones made the sign
  * changes: returns whether it is near enough to be a twofold real one, or nothing. */
-static int divide(int n, double *c, double *right, int kind, double near, double *foot)
+KINSYM_FN static int divide(int n, double *c, double *right, int kind, double near, double *foot)
 {
     double whole[17];
     for (int i = 0; i <= n; ++i) {
@@ -1096,7 +1099,7 @@ static int divide(int n, double *c, double *right, int kind, double near, double
 
 /* Descartes' rule by halving. The coefficients c of degree n at most 16 describe [0, 1]; returns the number of
  * marks, in increasing order. */
-static int isolate(int n, const double *c, const limits *limit, int most, mark *marks)
+KINSYM_FN static int isolate(int n, const double *c, const limits *limit, int most, mark *marks)
 {
     double stack[DEEPEST * 17], start[DEEPEST], width[DEEPEST];
     int depth = 1, count = 0;
@@ -1153,7 +1156,7 @@ typedef struct roots {
     root item[ROOTS];
 } roots;
 
-static void add_root(roots *r, double angle, int kind)
+KINSYM_FN static void add_root(roots *r, double angle, int kind)
 {
     if (r->count < ROOTS) {
         r->item[r->count].angle = angle;
@@ -1164,11 +1167,11 @@ static void add_root(roots *r, double angle, int kind)
 }
 
 /* Chebyshev points of [0, 1]; values there to Bernstein coefficients of degree 10. */
-static const double chebyshev[11] = {
+static KINSYM_DATA const double chebyshev[11] = {
     0.005089279059533634, 0.045184002322740814, 0.12212521282287085, 0.22967959127220122, 0.35913372157928514,
     0.5, 0.6408662784207149, 0.7703204087277988, 0.8778747871771292, 0.9548159976772592, 0.9949107209404664,
 };
-static const double to_local[11 * 11] = {
+static KINSYM_DATA const double to_local[11 * 11] = {
     1.2710751777368858, -0.417902346412801, 0.2437367052181586, -0.16648756964023745, 0.12144032810588838,
     -0.09090909090909091, 0.06805369302618534, -0.04964011924599543, 0.033907337848520507,
     -0.019776062232859007, 0.006501946505345186,
@@ -1207,7 +1210,7 @@ static const double to_local[11 * 11] = {
 /* The roots of the determinant itself, sampled between two angles that are at most 0.3 apart: the interpolation
  * on the whole circle has an error of 1e-14 of the largest value, which moves roots that are close to each
  * other. */
-static void sample_anew(const pencil *f, int bordered, double low, double high, int level, roots *r)
+KINSYM_FN static void sample_anew(const pencil *f, int bordered, double low, double high, int level, roots *r)
 {
     double value[11], c[11], largest = 0.0;
     const double across = high - low;
@@ -1257,19 +1260,19 @@ static const double sampling_start_cos = 0.9923888960734724;
 static const double sampling_start_sin = 0.1231433268596996;
 
 /* Cosines and sines of the multiples of 2 pi/17, and of pi/4. */
-static const double cos17[17] = {
+static KINSYM_DATA const double cos17[17] = {
     1.0, 0.9324722294043558, 0.7390089172206591, 0.44573835577653825, 0.092268359463302, -0.2736629900720829,
     -0.6026346363792564, -0.8502171357296141, -0.9829730996839018, -0.9829730996839018, -0.8502171357296141,
     -0.6026346363792564, -0.2736629900720829, 0.092268359463302, 0.44573835577653825, 0.7390089172206591,
     0.9324722294043558,
 };
-static const double sin17[17] = {
+static KINSYM_DATA const double sin17[17] = {
     0.0, 0.3612416661871529, 0.6736956436465572, 0.8951632913550623, 0.9957341762950345, 0.961825643172819,
     0.7980172272802395, 0.5264321628773558, 0.18374951781657034, -0.18374951781657034, -0.5264321628773558,
     -0.7980172272802395, -0.961825643172819, -0.9957341762950345, -0.8951632913550623, -0.6736956436465572,
     -0.3612416661871529,
 };
-static const double cos8[8] = {
+static KINSYM_DATA const double cos8[8] = {
     1.0, 0.7071067811865476, 0.0, -0.7071067811865476, -1.0, -0.7071067811865476, 0.0, 0.7071067811865476,
 };
 
@@ -1277,7 +1280,7 @@ static const double cos8[8] = {
  * coefficients (a0, a1, b1, ..., a8, b8) about the middle to the first nine of the 17 Bernstein coefficients of
  * (1 + v^2)^8 f. The others follow by symmetry. */
 static const double arc_end = 0.198912367379658;
-static const double to_arc[9 * 17] = {
+static KINSYM_DATA const double to_arc[9 * 17] = {
     1.3640081664443606, 1.2601792271561931, -0.5219833269089406, 0.9644994240866364, -0.9644994240866364,
     0.5219833269089406, -1.2601792271561931, 0.0, -1.3640081664443606, -0.5219833269089406,
     -1.2601792271561931, -0.9644994240866364, -0.9644994240866364, -1.2601792271561931, -0.5219833269089406,
@@ -1316,7 +1319,7 @@ static const double to_arc[9 * 17] = {
 };
 
 /* (a0, a1, b1, ..., a8, b8) of f divided by its largest sample, which is returned. */
-static double fourier(const pencil *f, int bordered, double a[17])
+KINSYM_FN static double fourier(const pencil *f, int bordered, double a[17])
 {
     double value[17], largest = 0.0;
     for (int i = 0; i < 17; ++i) {
@@ -1349,7 +1352,7 @@ static double fourier(const pencil *f, int bordered, double a[17])
 }
 
 /* The Bernstein coefficients on the arc with the middle 2 pi number/8. */
-static void on_arc(const double a[17], int number, double c[17])
+KINSYM_FN static void on_arc(const double a[17], int number, double c[17])
 {
     double turned[17];
     turned[0] = a[0];
@@ -1371,7 +1374,7 @@ static void on_arc(const double a[17], int number, double c[17])
 }
 
 /* The marks of the whole circle as angles from sampling_start on, in increasing order. */
-static int marks_of_circle(const double a[17], mark marks[ROOTS])
+KINSYM_FN static int marks_of_circle(const double a[17], mark marks[ROOTS])
 {
     /* widths of 0.11 and 1e-6 in v, pairs of 0.03 in the angle */
     const limits limit = {1e-7, 0.11 / (2.0 * arc_end), 0.0, 1e-13, 1e-6 / (2.0 * arc_end), 0.03 / (4.0 * arc_end)};
@@ -1391,7 +1394,7 @@ static int marks_of_circle(const double a[17], mark marks[ROOTS])
 }
 
 /* The mark with any number, counted on round the circle. */
-static mark mark_at(const mark *marks, int count, int number)
+KINSYM_FN static mark mark_at(const mark *marks, int count, int number)
 {
     mark found = marks[(number + count) % count];
     const double turned = number < 0 ? -turn : number < count ? 0.0 : turn;
@@ -1402,7 +1405,7 @@ static mark mark_at(const mark *marks, int count, int number)
 
 /* Every root of the determinant. A simple root far from the others stands; what is near to something is looked
  * at closer. Returns 0 if every angle is a root; what is found then comes from rounding errors. */
-static int find_roots(const pencil *f, int bordered, roots *r)
+KINSYM_FN static int find_roots(const pencil *f, int bordered, roots *r)
 {
     double a[17];
     mark marks[ROOTS];
@@ -1453,7 +1456,7 @@ typedef struct kernel {
     double ratio;
 } kernel;
 
-static void find_kernel(double K[56], kernel *out)
+KINSYM_FN static void find_kernel(double K[56], kernel *out)
 {
     int order[6] = {0, 1, 2, 3, 4, 5};
     for (int k = 0; k < 5; ++k) {
@@ -1515,12 +1518,12 @@ typedef struct monomials {
     double W[3];
 } monomials;
 
-static double dot3(const double *a, const double *b)
+KINSYM_FN static double dot3(const double *a, const double *b)
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static void from_vector(const double n[6], monomials *m)
+KINSYM_FN static void from_vector(const double n[6], monomials *m)
 {
     const double upper = dot3(n, n), lower = dot3(n + 3, n + 3), mixed = dot3(n, n + 3);
     m->X = upper > lower ? upper / mixed : mixed / lower;
@@ -1531,7 +1534,7 @@ static void from_vector(const double n[6], monomials *m)
 
 /* The two combinations of two vectors of the kernel that have the form (X^2 W, X W): the quadratic det(N2' N1 -
  * X N2' N2) = 0, where N1 and N2 are their upper and lower halves. */
-static void from_plane(const kernel *k, monomials m[2])
+KINSYM_FN static void from_plane(const kernel *k, monomials m[2])
 {
     double a[2][2], b[2][2];
     for (int i = 0; i < 2; ++i) {
@@ -1562,7 +1565,7 @@ static void from_plane(const kernel *k, monomials m[2])
 }
 
 /* The equations of a cut and their pencil; 0 if they are not independent. */
-static int prepare(const cut *way, const arm *a, equations *e, pencil *f)
+KINSYM_FN static int prepare(const cut *way, const arm *a, equations *e, pencil *f)
 {
     double six[6 * 27];
     if (!set_up(way, a, e, six)) {
@@ -1573,7 +1576,7 @@ static int prepare(const cut *way, const arm *a, equations *e, pencil *f)
 }
 
 /* The value of x from X at a chart; X at the first chart goes to T. */
-static joint_value x_of(double X, int x_slides, int chart, double *T)
+KINSYM_FN static joint_value x_of(double X, int x_slides, int chart, double *T)
 {
     joint_value x = {X, 0.0};
     if (x_slides) {
@@ -1591,7 +1594,8 @@ static joint_value x_of(double X, int x_slides, int chart, double *T)
 
 /* The other joints from x, y and the suppressed joint: N1 and N0 from the right side, which is triangular now,
  * the dropped joint from the rotations. q is in the order of the joints of the arm. */
-static void complete(const equations *e, joint_value suppressed, joint_value x, joint_value y, joint_value q[6])
+KINSYM_FN static void complete(const equations *e, joint_value suppressed, joint_value x, joint_value y,
+    joint_value q[6])
 {
     const cut *way = e->way;
     joint_value v[6];
@@ -1671,8 +1675,8 @@ static void complete(const equations *e, joint_value suppressed, joint_value x, 
 
 /* The joint vectors at a root of the determinant: at most one with plain, two more from a plane of the kernel
  * where the matrix seems to lose two ranks or plane is set. ratio tells how near it is to losing two. */
-static int substitute(const equations *e, const pencil *f, double angle, int plane,
-                      joint_value q[CANDIDATES][6], double *ratio)
+KINSYM_FN static int substitute(const equations *e, const pencil *f, double angle, int plane,
+    joint_value q[CANDIDATES][6], double *ratio)
 {
     const cut *way = e->way;
     const joint_value suppressed = {cos(angle), sin(angle)};
@@ -1722,7 +1726,7 @@ static int substitute(const equations *e, const pencil *f, double angle, int pla
 
 /* How far a joint vector is from the goal: the largest difference of entries, lengths in units of the scale.
  * error is the twist that is missing, J the geometric Jacobian in the frame of the base, by columns. */
-static double closure(const arm *a, const joint_value q[6], double error[6], double J[36])
+KINSYM_FN static double closure(const arm *a, const joint_value q[6], double error[6], double J[36])
 {
     rigid_motion at = {{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 0.0}};
     double axis[6][3], origin[6][3];
@@ -1778,7 +1782,7 @@ static double closure(const arm *a, const joint_value q[6], double error[6], dou
 
 /* Solves J step = error, J by columns, by complete pivoting; what a singular matrix does not determine is left
  * 0. */
-static void solve_linearised(double J[36], double error[6], double step[6])
+KINSYM_FN static void solve_linearised(double J[36], double error[6], double step[6])
 {
     int order[6] = {0, 1, 2, 3, 4, 5}, rank = 6;
     double first = 0.0;
@@ -1840,7 +1844,7 @@ static void solve_linearised(double J[36], double error[6], double step[6])
 
 /* Newton's method from the joint values q to the joint vector x; returns how far that is from the goal. A step
  * that is below 1e-8 leaves an error below 1e-16 and is the last one. */
-static double polish(const arm *a, joint_value q[6], double x[6])
+KINSYM_FN static double polish(const arm *a, joint_value q[6], double x[6])
 {
     double best = 1e9;
     joint_value kept[6];
@@ -1900,7 +1904,7 @@ typedef struct solutions {
 } solutions;
 
 /* The difference of two values of a joint, a whole turn of angles aside. */
-static double difference(int is_length, double a, double b)
+KINSYM_FN static double difference(int is_length, double a, double b)
 {
     const double plain = a - b;
     if (is_length || fabs(plain) <= 0.5 * turn) {
@@ -1912,7 +1916,7 @@ static double difference(int is_length, double a, double b)
 /* Whether two solutions are points of one double root, or of a valley of nearly singular postures in which
  * Newton stopped twice: halfway between them the pose is hardly farther off, or Newton started there stays
  * there. worse is how far the worse of the two is off. */
-static int connected(const arm *a, const double x[6], const double gap[6], double worse)
+KINSYM_FN static int connected(const arm *a, const double x[6], const double gap[6], double worse)
 {
     joint_value q[6];
     double middle[6], end[6], error[6], J[36], width = 0.0, moved = 0.0;
@@ -1934,7 +1938,7 @@ static int connected(const arm *a, const double x[6], const double gap[6], doubl
 }
 
 /* Keeps a solution that is new; returns whether it was. Of two that are one the nearer is kept. */
-static int keep(const arm *a, solutions *all, const double x[6], double off)
+KINSYM_FN static int keep(const arm *a, solutions *all, const double x[6], double off)
 {
     int at = all->count;
     for (int i = 0; i < all->count && at == all->count; ++i) {
@@ -1961,7 +1965,7 @@ static int keep(const arm *a, solutions *all, const double x[6], double off)
 
 /* Whether there is a simple root to which no solution can be assigned, one to each; with the border two to each
  * root at which the matrix loses two ranks. A root that is farther off than 1e-5 has others close to it. */
-static int unowned(const cut *way, const roots *found, const solutions *all)
+KINSYM_FN static int unowned(const cut *way, const roots *found, const solutions *all)
 {
     int taken[MOST] = {0};
     for (int i = 0; i < found->count; ++i) {
@@ -1983,7 +1987,7 @@ static int unowned(const cut *way, const roots *found, const solutions *all)
 
 /* Whether solutions share a value of the suppressed joint, more than the cut accounts for: there the matrix
  * loses ranks that it does not lose beside. */
-static int crowded(const cut *way, const solutions *all)
+KINSYM_FN static int crowded(const cut *way, const solutions *all)
 {
     const int suppressed = way->order[2];
     for (int i = 0; i < all->count; ++i) {
@@ -2000,7 +2004,7 @@ static int crowded(const cut *way, const solutions *all)
 
 /* Solves one cut and adds what is new to the solutions. Returns whether the result looks incomplete: an odd
  * number of solutions, a root that owns none, a twofold one that owns fewer than two (two pairs with the border). */
-static int eliminate(const cut *way, const arm *a, solutions *all)
+KINSYM_FN static int eliminate(const cut *way, const arm *a, solutions *all)
 {
     equations e;
     pencil f;
@@ -2029,7 +2033,7 @@ static int eliminate(const cut *way, const arm *a, solutions *all)
 
 /* The arm with a loop that closes beside the pose, by a twist about and along axes that mean nothing to any
  * arm. The goal stays, so that Newton goes from the solutions beside it to those of the pose. */
-static void move_beside(const arm *a, double size, arm *beside)
+KINSYM_FN static void move_beside(const arm *a, double size, arm *beside)
 {
     const double x = 0.36 * size, y = 0.48 * size, z = 0.8 * size;
     const rigid_motion twist = {
@@ -2042,7 +2046,7 @@ static void move_beside(const arm *a, double size, arm *beside)
 
 /* The best cut; the second where the first is in doubt; and where the doubt remains, starts from the solutions
  * of poses beside this one, nearer ones if there are none. */
-static void find_solutions(const cut *ways, int count, const arm *a, solutions *all)
+KINSYM_FN static void find_solutions(const cut *ways, int count, const arm *a, solutions *all)
 {
     all->count = 0;
     for (int i = 0; i < count; ++i) {
@@ -2060,14 +2064,14 @@ static void find_solutions(const cut *ways, int count, const arm *a, solutions *
 }
 
 /* The ways to open the loop: the best one, and one for poses of which the first is in doubt. */
-static const cut cuts[] = {
+static KINSYM_DATA const cut cuts[] = {
     {{0, 5, 4, 3, 2, 1}, 1, 1, 1},
     {{5, 0, 1, 2, 3, 4}, 0, 1, 0},
 };
 
 /* Solutions by their joint values, theta1 first, rounded to 1e-6: values that are equal by symmetry do not
  * decide. */
-static int precedes(const double *left, const double *right)
+KINSYM_FN static int precedes(const double *left, const double *right)
 {
     for (int k = 0; k < 6; ++k) {
         const double a = rint(1e6 * left[k]), b = rint(1e6 * right[k]);
@@ -2078,7 +2082,7 @@ static int precedes(const double *left, const double *right)
     return 0;
 }
 
-static void sort(solutions *all)
+KINSYM_FN static void sort(solutions *all)
 {
     for (int i = 1; i < all->count; ++i) {
         for (int k = i; k > 0 && precedes(all->q[k], all->q[k - 1]); --k) {
@@ -2091,7 +2095,7 @@ static void sort(solutions *all)
     }
 }
 
-int fanuc_crx10ial_ik_marked(const double T[16], const fanuc_crx10ial_params *p,
+KINSYM_FN int fanuc_crx10ial_ik_marked(const double T[16], const fanuc_crx10ial_params *p,
     const double reference[FANUC_CRX10IAL_JOINTS], double q[][FANUC_CRX10IAL_JOINTS],
     fanuc_crx10ial_mark marks[])
 {
@@ -2129,14 +2133,15 @@ int fanuc_crx10ial_ik_marked(const double T[16], const fanuc_crx10ial_params *p,
     return count;
 }
 
-int fanuc_crx10ial_ik_near(const double T[16], const fanuc_crx10ial_params *p,
+KINSYM_FN int fanuc_crx10ial_ik_near(const double T[16], const fanuc_crx10ial_params *p,
     const double reference[FANUC_CRX10IAL_JOINTS], double q[][FANUC_CRX10IAL_JOINTS])
 {
     fanuc_crx10ial_mark marks[FANUC_CRX10IAL_MAX_SOLUTIONS];
     return fanuc_crx10ial_ik_marked(T, p, reference, q, marks);
 }
 
-int fanuc_crx10ial_ik(const double T[16], const fanuc_crx10ial_params *p, double q[][FANUC_CRX10IAL_JOINTS])
+KINSYM_FN int fanuc_crx10ial_ik(const double T[16], const fanuc_crx10ial_params *p,
+    double q[][FANUC_CRX10IAL_JOINTS])
 {
     return fanuc_crx10ial_ik_near(T, p, NULL, q);
 }
@@ -2160,20 +2165,20 @@ const char *const fanuc_crx10ial_branches[FANUC_CRX10IAL_MAX_SOLUTIONS] = {
     "solution 16",
 };
 
-const double fanuc_crx10ial_lower[FANUC_CRX10IAL_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
-    -HUGE_VAL, -HUGE_VAL};
-const double fanuc_crx10ial_upper[FANUC_CRX10IAL_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
-    HUGE_VAL};
+KINSYM_DATA const double fanuc_crx10ial_lower[FANUC_CRX10IAL_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+    -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+KINSYM_DATA const double fanuc_crx10ial_upper[FANUC_CRX10IAL_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL,
+    HUGE_VAL, HUGE_VAL, HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "RRRRRR";
+static KINSYM_DATA const char kinds[] = "RRRRRR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[FANUC_CRX10IAL_JOINTS])
+KINSYM_FN static int are_numbers(const double x[FANUC_CRX10IAL_JOINTS])
 {
     for (int i = 0; x != NULL && i < FANUC_CRX10IAL_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -2184,7 +2189,7 @@ static int are_numbers(const double x[FANUC_CRX10IAL_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[FANUC_CRX10IAL_JOINTS], const double upper[FANUC_CRX10IAL_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[FANUC_CRX10IAL_JOINTS], const double upper[FANUC_CRX10IAL_JOINTS])
 {
     for (int i = 0; i < FANUC_CRX10IAL_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -2195,7 +2200,7 @@ static int all_intervals(const double lower[FANUC_CRX10IAL_JOINTS], const double
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -2203,18 +2208,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static fanuc_crx10ial_status status_of(fanuc_crx10ial_mark special)
+KINSYM_FN static fanuc_crx10ial_status status_of(fanuc_crx10ial_mark special)
 {
     return special.free | special.border ? FANUC_CRX10IAL_SINGULAR : FANUC_CRX10IAL_SOLVED;
 }
 
-fanuc_crx10ial_status fanuc_crx10ial_solve(const double T[16], const fanuc_crx10ial_params *p,
+KINSYM_FN fanuc_crx10ial_status fanuc_crx10ial_solve(const double T[16], const fanuc_crx10ial_params *p,
     const double reference[FANUC_CRX10IAL_JOINTS], fanuc_crx10ial_solutions *out)
 {
     out->count = 0;
@@ -2238,13 +2243,13 @@ fanuc_crx10ial_status fanuc_crx10ial_solve(const double T[16], const fanuc_crx10
     return out->status;
 }
 
-unsigned fanuc_crx10ial_family(unsigned free)
+KINSYM_FN unsigned fanuc_crx10ial_family(unsigned free)
 {
     unsigned moving = free;
     return moving;
 }
 
-int fanuc_crx10ial_within(const double T[16], const fanuc_crx10ial_params *p,
+KINSYM_FN int fanuc_crx10ial_within(const double T[16], const fanuc_crx10ial_params *p,
     const double reference[FANUC_CRX10IAL_JOINTS], const double lower[FANUC_CRX10IAL_JOINTS],
     const double upper[FANUC_CRX10IAL_JOINTS], int capacity, double q[][FANUC_CRX10IAL_JOINTS],
     fanuc_crx10ial_mark marks[])
@@ -2290,7 +2295,7 @@ int fanuc_crx10ial_within(const double T[16], const fanuc_crx10ial_params *p,
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-fanuc_crx10ial_status fanuc_crx10ial_nearest(const double T[16], const fanuc_crx10ial_params *p,
+KINSYM_FN fanuc_crx10ial_status fanuc_crx10ial_nearest(const double T[16], const fanuc_crx10ial_params *p,
     const double reference[FANUC_CRX10IAL_JOINTS], const double weights[FANUC_CRX10IAL_JOINTS],
     const double lower[FANUC_CRX10IAL_JOINTS], const double upper[FANUC_CRX10IAL_JOINTS],
     double q[FANUC_CRX10IAL_JOINTS])
@@ -2350,7 +2355,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -2368,18 +2373,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const fanuc_crx10ial_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const fanuc_crx10ial_params *p, int path, lane_block *block)
 {
     const double d1 = p->d1;
     const double a2 = p->a2;
@@ -2450,7 +2455,7 @@ static void fk_block(const fanuc_crx10ial_params *p, int path, lane_block *block
     }
 }
 
-void fanuc_crx10ial_fk_batch(const double q[], int n, const fanuc_crx10ial_params *p, double T[])
+KINSYM_FN void fanuc_crx10ial_fk_batch(const double q[], int n, const fanuc_crx10ial_params *p, double T[])
 {
     if (p == NULL) {
         p = &fanuc_crx10ial_defaults;
@@ -2483,7 +2488,7 @@ void fanuc_crx10ial_fk_batch(const double q[], int n, const fanuc_crx10ial_param
     }
 }
 
-int fanuc_crx10ial_ik_batch(const double T[], int n, const fanuc_crx10ial_params *p,
+KINSYM_FN int fanuc_crx10ial_ik_batch(const double T[], int n, const fanuc_crx10ial_params *p,
     const double reference[FANUC_CRX10IAL_JOINTS], double q[][FANUC_CRX10IAL_JOINTS], int counts[])
 {
     if (p == NULL) {
@@ -2501,3 +2506,7 @@ int fanuc_crx10ial_ik_batch(const double T[], int n, const fanuc_crx10ial_params
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

@@ -31,9 +31,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If FANUC_CRX10IAL_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes fanuc_crx10ial.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef FANUC_CRX10IAL_H
 #define FANUC_CRX10IAL_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -65,13 +84,14 @@ typedef struct fanuc_crx10ial_params {
 } fanuc_crx10ial_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const fanuc_crx10ial_params fanuc_crx10ial_defaults;
+extern KINSYM_DATA const fanuc_crx10ial_params fanuc_crx10ial_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void fanuc_crx10ial_fk(const double q[FANUC_CRX10IAL_JOINTS], const fanuc_crx10ial_params *p, double T[16]);
+KINSYM_FN void fanuc_crx10ial_fk(const double q[FANUC_CRX10IAL_JOINTS], const fanuc_crx10ial_params *p,
+    double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void fanuc_crx10ial_jacobian(const double q[FANUC_CRX10IAL_JOINTS], const fanuc_crx10ial_params *p,
+KINSYM_FN void fanuc_crx10ial_jacobian(const double q[FANUC_CRX10IAL_JOINTS], const fanuc_crx10ial_params *p,
     double J[6 * FANUC_CRX10IAL_JOINTS]);
 
 /*
@@ -90,10 +110,11 @@ void fanuc_crx10ial_jacobian(const double q[FANUC_CRX10IAL_JOINTS], const fanuc_
  * Roots of a polynomial of degree 16, each polished until the pose agrees within 1e-10 of the arm's
  * size, as a rule within rounding. Where two solutions meet, at the border of the workspace, one is returned. Where
  * a joint is free there is a continuum of solutions, of which some are found. About 25 kB of stack are used. */
-int fanuc_crx10ial_ik(const double T[16], const fanuc_crx10ial_params *p, double q[][FANUC_CRX10IAL_JOINTS]);
+KINSYM_FN int fanuc_crx10ial_ik(const double T[16], const fanuc_crx10ial_params *p,
+    double q[][FANUC_CRX10IAL_JOINTS]);
 
 /* The same: the reference is there so that every arm is called alike, and is not read. */
-int fanuc_crx10ial_ik_near(const double T[16], const fanuc_crx10ial_params *p,
+KINSYM_FN int fanuc_crx10ial_ik_near(const double T[16], const fanuc_crx10ial_params *p,
     const double reference[FANUC_CRX10IAL_JOINTS], double q[][FANUC_CRX10IAL_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the order of the solutions; free and border are
@@ -103,7 +124,7 @@ typedef struct fanuc_crx10ial_mark {
 } fanuc_crx10ial_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int fanuc_crx10ial_ik_marked(const double T[16], const fanuc_crx10ial_params *p,
+KINSYM_FN int fanuc_crx10ial_ik_marked(const double T[16], const fanuc_crx10ial_params *p,
     const double reference[FANUC_CRX10IAL_JOINTS], double q[][FANUC_CRX10IAL_JOINTS],
     fanuc_crx10ial_mark marks[]);
 
@@ -128,7 +149,8 @@ int fanuc_crx10ial_ik_marked(const double T[16], const fanuc_crx10ial_params *p,
 extern const char *const fanuc_crx10ial_branches[FANUC_CRX10IAL_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double fanuc_crx10ial_lower[FANUC_CRX10IAL_JOINTS], fanuc_crx10ial_upper[FANUC_CRX10IAL_JOINTS];
+extern KINSYM_DATA const double fanuc_crx10ial_lower[FANUC_CRX10IAL_JOINTS];
+extern KINSYM_DATA const double fanuc_crx10ial_upper[FANUC_CRX10IAL_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct fanuc_crx10ial_solutions {
@@ -139,12 +161,12 @@ typedef struct fanuc_crx10ial_solutions {
 } fanuc_crx10ial_solutions;
 
 /* ik_marked with a status, which is returned as well; FANUC_CRX10IAL_BAD_REFERENCE if the reference is not finite. */
-fanuc_crx10ial_status fanuc_crx10ial_solve(const double T[16], const fanuc_crx10ial_params *p,
+KINSYM_FN fanuc_crx10ial_status fanuc_crx10ial_solve(const double T[16], const fanuc_crx10ial_params *p,
     const double reference[FANUC_CRX10IAL_JOINTS], fanuc_crx10ial_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned fanuc_crx10ial_family(unsigned free);
+KINSYM_FN unsigned fanuc_crx10ial_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -152,7 +174,7 @@ unsigned fanuc_crx10ial_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * FANUC_CRX10IAL_BAD_LIMIT if limits are no interval. */
-int fanuc_crx10ial_within(const double T[16], const fanuc_crx10ial_params *p,
+KINSYM_FN int fanuc_crx10ial_within(const double T[16], const fanuc_crx10ial_params *p,
     const double reference[FANUC_CRX10IAL_JOINTS], const double lower[FANUC_CRX10IAL_JOINTS],
     const double upper[FANUC_CRX10IAL_JOINTS], int capacity, double q[][FANUC_CRX10IAL_JOINTS],
     fanuc_crx10ial_mark marks[]);
@@ -161,7 +183,7 @@ int fanuc_crx10ial_within(const double T[16], const fanuc_crx10ial_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. FANUC_CRX10IAL_BAD_WEIGHT if a weight is negative or not finite. */
-fanuc_crx10ial_status fanuc_crx10ial_nearest(const double T[16], const fanuc_crx10ial_params *p,
+KINSYM_FN fanuc_crx10ial_status fanuc_crx10ial_nearest(const double T[16], const fanuc_crx10ial_params *p,
     const double reference[FANUC_CRX10IAL_JOINTS], const double weights[FANUC_CRX10IAL_JOINTS],
     const double lower[FANUC_CRX10IAL_JOINTS], const double upper[FANUC_CRX10IAL_JOINTS],
     double q[FANUC_CRX10IAL_JOINTS]);
@@ -169,7 +191,7 @@ fanuc_crx10ial_status fanuc_crx10ial_nearest(const double T[16], const fanuc_crx
 /* Forward kinematics of n joint vectors: q has FANUC_CRX10IAL_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void fanuc_crx10ial_fk_batch(const double q[], int n, const fanuc_crx10ial_params *p, double T[]);
+KINSYM_FN void fanuc_crx10ial_fk_batch(const double q[], int n, const fanuc_crx10ial_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -179,7 +201,7 @@ void fanuc_crx10ial_fk_batch(const double q[], int n, const fanuc_crx10ial_param
  * FANUC_CRX10IAL_BAD_PARAMETER as ik_near does.
  *
  * This arm's solver searches for roots pose by pose: this is a loop over ik_near. */
-int fanuc_crx10ial_ik_batch(const double T[], int n, const fanuc_crx10ial_params *p,
+KINSYM_FN int fanuc_crx10ial_ik_batch(const double T[], int n, const fanuc_crx10ial_params *p,
     const double reference[FANUC_CRX10IAL_JOINTS], double q[][FANUC_CRX10IAL_JOINTS], int counts[]);
 
 #ifdef __cplusplus

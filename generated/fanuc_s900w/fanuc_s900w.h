@@ -32,9 +32,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If FANUC_S900W_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes fanuc_s900w.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef FANUC_S900W_H
 #define FANUC_S900W_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -67,10 +86,10 @@ typedef struct fanuc_s900w_params {
 
 /* Forward kinematics: the pose T of the joint vector q. With p = NULL every entry is NaN, here and in the
  * Jacobian: the table has no value for a1, a2, a3, d4, d6. */
-void fanuc_s900w_fk(const double q[FANUC_S900W_JOINTS], const fanuc_s900w_params *p, double T[16]);
+KINSYM_FN void fanuc_s900w_fk(const double q[FANUC_S900W_JOINTS], const fanuc_s900w_params *p, double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void fanuc_s900w_jacobian(const double q[FANUC_S900W_JOINTS], const fanuc_s900w_params *p,
+KINSYM_FN void fanuc_s900w_jacobian(const double q[FANUC_S900W_JOINTS], const fanuc_s900w_params *p,
     double J[6 * FANUC_S900W_JOINTS]);
 
 /*
@@ -96,11 +115,11 @@ void fanuc_s900w_jacobian(const double q[FANUC_S900W_JOINTS], const fanuc_s900w_
  * or if one of these vanishes, which the equations take for granted: a2.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int fanuc_s900w_ik(const double T[16], const fanuc_s900w_params *p, double q[][FANUC_S900W_JOINTS]);
+KINSYM_FN int fanuc_s900w_ik(const double T[16], const fanuc_s900w_params *p, double q[][FANUC_S900W_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int fanuc_s900w_ik_near(const double T[16], const fanuc_s900w_params *p,
+KINSYM_FN int fanuc_s900w_ik_near(const double T[16], const fanuc_s900w_params *p,
     const double reference[FANUC_S900W_JOINTS], double q[][FANUC_S900W_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -112,7 +131,7 @@ typedef struct fanuc_s900w_mark {
 } fanuc_s900w_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int fanuc_s900w_ik_marked(const double T[16], const fanuc_s900w_params *p,
+KINSYM_FN int fanuc_s900w_ik_marked(const double T[16], const fanuc_s900w_params *p,
     const double reference[FANUC_S900W_JOINTS], double q[][FANUC_S900W_JOINTS], fanuc_s900w_mark marks[]);
 
 /* The names of the branches by their number:
@@ -134,7 +153,8 @@ int fanuc_s900w_ik_marked(const double T[16], const fanuc_s900w_params *p,
 extern const char *const fanuc_s900w_branches[FANUC_S900W_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double fanuc_s900w_lower[FANUC_S900W_JOINTS], fanuc_s900w_upper[FANUC_S900W_JOINTS];
+extern KINSYM_DATA const double fanuc_s900w_lower[FANUC_S900W_JOINTS];
+extern KINSYM_DATA const double fanuc_s900w_upper[FANUC_S900W_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct fanuc_s900w_solutions {
@@ -145,12 +165,12 @@ typedef struct fanuc_s900w_solutions {
 } fanuc_s900w_solutions;
 
 /* ik_marked with a status, which is returned as well; FANUC_S900W_BAD_REFERENCE if the reference is not finite. */
-fanuc_s900w_status fanuc_s900w_solve(const double T[16], const fanuc_s900w_params *p,
+KINSYM_FN fanuc_s900w_status fanuc_s900w_solve(const double T[16], const fanuc_s900w_params *p,
     const double reference[FANUC_S900W_JOINTS], fanuc_s900w_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned fanuc_s900w_family(unsigned free);
+KINSYM_FN unsigned fanuc_s900w_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -158,7 +178,7 @@ unsigned fanuc_s900w_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * FANUC_S900W_BAD_LIMIT if limits are no interval. */
-int fanuc_s900w_within(const double T[16], const fanuc_s900w_params *p,
+KINSYM_FN int fanuc_s900w_within(const double T[16], const fanuc_s900w_params *p,
     const double reference[FANUC_S900W_JOINTS], const double lower[FANUC_S900W_JOINTS],
     const double upper[FANUC_S900W_JOINTS], int capacity, double q[][FANUC_S900W_JOINTS],
     fanuc_s900w_mark marks[]);
@@ -167,7 +187,7 @@ int fanuc_s900w_within(const double T[16], const fanuc_s900w_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. FANUC_S900W_BAD_WEIGHT if a weight is negative or not finite. */
-fanuc_s900w_status fanuc_s900w_nearest(const double T[16], const fanuc_s900w_params *p,
+KINSYM_FN fanuc_s900w_status fanuc_s900w_nearest(const double T[16], const fanuc_s900w_params *p,
     const double reference[FANUC_S900W_JOINTS], const double weights[FANUC_S900W_JOINTS],
     const double lower[FANUC_S900W_JOINTS], const double upper[FANUC_S900W_JOINTS],
     double q[FANUC_S900W_JOINTS]);
@@ -175,7 +195,7 @@ fanuc_s900w_status fanuc_s900w_nearest(const double T[16], const fanuc_s900w_par
 /* Forward kinematics of n joint vectors: q has FANUC_S900W_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void fanuc_s900w_fk_batch(const double q[], int n, const fanuc_s900w_params *p, double T[]);
+KINSYM_FN void fanuc_s900w_fk_batch(const double q[], int n, const fanuc_s900w_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -188,7 +208,7 @@ void fanuc_s900w_fk_batch(const double q[], int n, const fanuc_s900w_params *p, 
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 60 kB of stack are used. */
-int fanuc_s900w_ik_batch(const double T[], int n, const fanuc_s900w_params *p,
+KINSYM_FN int fanuc_s900w_ik_batch(const double T[], int n, const fanuc_s900w_params *p,
     const double reference[FANUC_S900W_JOINTS], double q[][FANUC_S900W_JOINTS], int counts[]);
 
 #ifdef __cplusplus

@@ -26,15 +26,16 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
 double sqrt(double) __attribute__((const)); /* the library's own declaration lets it write errno */
 #endif
 
-const franka_panda_params franka_panda_defaults = {
+KINSYM_DATA const franka_panda_params franka_panda_defaults = {
     0.333, /* d1 */
     0.316, /* d3 */
     0.0825, /* a4 */
@@ -47,7 +48,7 @@ const franka_panda_params franka_panda_defaults = {
 #ifdef FRANKA_PANDA_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -59,7 +60,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -96,7 +97,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -104,28 +106,29 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The angle half a turn away, in (-pi, pi]; what is too small to be seen beside pi counts as 0. */
-static inline double half_turn(double angle)
+KINSYM_FN static inline double half_turn(double angle)
 {
     const double pi = 3.141592653589793;
     return angle + (angle > 2.220446049250313e-16 ? -pi : pi);
 }
 
 /* The opposite angle in (-pi, pi]. */
-static inline double opposite(double angle)
+KINSYM_FN static inline double opposite(double angle)
 {
     const double pi = 3.141592653589793;
     return angle < pi ? -angle : angle;
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void franka_panda_fk(const double q[FRANKA_PANDA_JOINTS], const franka_panda_params *p, double T[16])
+KINSYM_FN void franka_panda_fk(const double q[FRANKA_PANDA_JOINTS], const franka_panda_params *p,
+    double T[16])
 {
     if (p == NULL) {
         p = &franka_panda_defaults;
@@ -178,9 +181,9 @@ void franka_panda_fk(const double q[FRANKA_PANDA_JOINTS], const franka_panda_par
     const double v37_y = c4 * v57_y + s4 * v47_x;
     const double w37_x = c4 * w47_x + s4 * c6;
     const double w37_y = s4 * w47_x - c4 * c6;
-    const double sum1 = a4 - p47_x;
-    const double p37_x = -c4 * sum1 - s4 * p47_z;
-    const double p37_y = c4 * p47_z - s4 * sum1;
+    const double sum1 = p47_x - a4;
+    const double p37_x = c4 * sum1 - s4 * p47_z;
+    const double p37_y = c4 * p47_z + s4 * sum1;
     const double u27_x = c3 * u37_x - s3 * u47_y;
     const double u27_y = c3 * u47_y + s3 * u37_x;
     const double v27_x = c3 * v37_x - s3 * v47_y;
@@ -218,7 +221,7 @@ void franka_panda_fk(const double q[FRANKA_PANDA_JOINTS], const franka_panda_par
     T[15] = 1.0;
 }
 
-void franka_panda_jacobian(const double q[FRANKA_PANDA_JOINTS], const franka_panda_params *p,
+KINSYM_FN void franka_panda_jacobian(const double q[FRANKA_PANDA_JOINTS], const franka_panda_params *p,
     double J[6 * FRANKA_PANDA_JOINTS])
 {
     if (p == NULL) {
@@ -254,137 +257,137 @@ void franka_panda_jacobian(const double q[FRANKA_PANDA_JOINTS], const franka_pan
     const double sum3 = c5 * sum2 - a4;
     const double product6 = c6 * d7;
     const double product2 = a7 * s6;
-    const double sum1 = d5 + product2;
-    const double sum4 = product6 - sum1;
-    const double sum7 = c4 * sum3 + s4 * sum4;
-    const double sum8 = a4 + sum7;
+    const double sum1 = product2 + d5;
+    const double sum5 = product6 - sum1;
+    const double sum7 = c4 * sum3 + s4 * sum5;
+    const double sum12 = a4 + sum7;
     const double product4 = s3 * s5;
-    const double sum16 = c3 * sum8 - product4 * sum2;
-    const double sum17 = c4 * sum4 - s4 * sum3;
-    const double sum18 = d3 - sum17;
-    const double sum26 = c2 * sum16 + s2 * sum18;
+    const double sum16 = c3 * sum12 - product4 * sum2;
+    const double sum17 = c4 * sum5 - s4 * sum3;
+    const double sum24 = d3 - sum17;
+    const double sum26 = c2 * sum16 + s2 * sum24;
     const double product5 = c3 * s5;
-    const double sum27 = product5 * sum2 + s3 * sum8;
+    const double sum27 = s3 * sum12 + product5 * sum2;
     const double oE_x = c1 * sum26 - s1 * sum27;
     const double oE_y = c1 * sum27 + s1 * sum26;
-    const double oE_z = c2 * sum18 - s2 * sum16 + d1;
+    const double oE_z = c2 * sum24 - s2 * sum16 + d1;
     const double z3_x = c1 * s2;
     const double z3_y = s1 * s2;
-    const double product11 = c1 * s3;
+    const double product11 = s3 * c1;
     const double z4_x = product11 * c2 + s1 * c3;
-    const double product12 = s1 * s3;
+    const double product12 = s3 * s1;
     const double z4_y = product12 * c2 - c1 * c3;
     const double z4_z = -s2 * s3;
-    const double product7 = c2 * c3;
-    const double product17 = a4 * product7;
-    const double product27 = d3 * s2;
-    const double sum28 = product17 + product27;
-    const double product28 = a4 * product12;
-    const double o4_x = c1 * sum28 - product28;
-    const double product29 = a4 * product11;
-    const double o4_y = product29 + s1 * sum28;
-    const double product18 = c3 * s2;
-    const double product30 = a4 * product18;
-    const double o4_z = d3 * c2 - product30 + d1;
-    const double product31 = c4 * s2;
-    const double product32 = product7 * s4;
-    const double sum29 = product31 - product32;
+    const double product7 = c3 * c2;
+    const double product18 = a4 * product7;
+    const double product27 = s2 * d3;
+    const double sum28 = product18 + product27;
+    const double product35 = a4 * product12;
+    const double o4_x = c1 * sum28 - product35;
+    const double product34 = a4 * product11;
+    const double o4_y = product34 + s1 * sum28;
+    const double product17 = c3 * s2;
+    const double product36 = a4 * product17;
+    const double o4_z = d3 * c2 - product36 + d1;
+    const double product28 = c4 * s2;
+    const double product33 = s4 * product7;
+    const double sum29 = product28 - product33;
     const double z5_x = c1 * sum29 + product12 * s4;
     const double z5_y = s1 * sum29 - product11 * s4;
-    const double z5_z = c2 * c4 + product18 * s4;
-    const double sum9 = 1.0 - c4;
+    const double z5_z = c2 * c4 + product17 * s4;
+    const double sum8 = 1.0 - c4;
     const double product10 = a4 * s4;
     const double sum6 = d3 - product10;
-    const double sum30 = product17 * sum9 + s2 * sum6;
-    const double o5_x = c1 * sum30 - product28 * sum9;
-    const double o5_y = product29 * sum9 + s1 * sum30;
-    const double o5_z = c2 * sum6 - product30 * sum9 + d1;
-    const double product19 = c4 * product5;
-    const double product20 = c5 * s3;
-    const double sum19 = product19 + product20;
-    const double product21 = s4 * s5;
-    const double product33 = product21 * s2;
-    const double sum31 = c2 * sum19 + product33;
-    const double product34 = c3 * c5;
-    const double product35 = c4 * product4;
-    const double sum32 = product34 - product35;
+    const double sum30 = product18 * sum8 + s2 * sum6;
+    const double o5_x = c1 * sum30 - product35 * sum8;
+    const double o5_y = product34 * sum8 + s1 * sum30;
+    const double o5_z = c2 * sum6 - product36 * sum8 + d1;
+    const double product25 = c4 * product5;
+    const double product19 = c5 * s3;
+    const double sum18 = product25 + product19;
+    const double product20 = s4 * s5;
+    const double product37 = s2 * product20;
+    const double sum31 = c2 * sum18 + product37;
+    const double product29 = c5 * c3;
+    const double product30 = c4 * product4;
+    const double sum32 = product29 - product30;
     const double z6_x = c1 * sum31 + s1 * sum32;
     const double z6_y = -c1 * sum32 + s1 * sum31;
-    const double z6_z = product21 * c2 - s2 * sum19;
+    const double z6_z = product20 * c2 - s2 * sum18;
     const double product14 = d5 * s4;
     const double product13 = a4 * c4;
-    const double sum10 = a4 - product13;
-    const double sum11 = product14 - sum10;
-    const double product22 = c4 * d5;
-    const double sum20 = product22 + sum6;
-    const double sum33 = product7 * sum11 - s2 * sum20;
-    const double o6_x = -c1 * sum33 + product12 * sum11;
-    const double o6_y = -product11 * sum11 - s1 * sum33;
-    const double o6_z = c2 * sum20 + product18 * sum11 + d1;
-    const double product8 = c5 * s6;
-    const double product15 = c4 * product8;
-    const double product16 = c6 * s4;
-    const double sum12 = product15 + product16;
-    const double product23 = product4 * s6;
-    const double sum21 = c3 * sum12 - product23;
-    const double product24 = product8 * s4;
-    const double product25 = c4 * c6;
-    const double sum22 = product24 - product25;
-    const double sum34 = c2 * sum21 + s2 * sum22;
-    const double product36 = product5 * s6;
-    const double sum35 = s3 * sum12 + product36;
+    const double sum9 = a4 - product13;
+    const double sum13 = product14 - sum9;
+    const double product21 = c4 * d5;
+    const double sum23 = product21 + sum6;
+    const double sum33 = -product7 * sum13 + s2 * sum23;
+    const double o6_x = c1 * sum33 + product12 * sum13;
+    const double o6_y = -product11 * sum13 + s1 * sum33;
+    const double o6_z = c2 * sum23 + product17 * sum13 + d1;
+    const double product8 = s6 * c5;
+    const double product16 = c4 * product8;
+    const double product15 = c6 * s4;
+    const double sum10 = product16 + product15;
+    const double product23 = s6 * product4;
+    const double sum19 = c3 * sum10 - product23;
+    const double product26 = s4 * product8;
+    const double product22 = c6 * c4;
+    const double sum20 = product26 - product22;
+    const double sum34 = c2 * sum19 + s2 * sum20;
+    const double product31 = s6 * product5;
+    const double sum35 = product31 + s3 * sum10;
     const double z7_x = c1 * sum34 - s1 * sum35;
     const double z7_y = c1 * sum35 + s1 * sum34;
-    const double z7_z = c2 * sum22 - s2 * sum21;
+    const double z7_z = c2 * sum20 - s2 * sum19;
     const double product9 = c5 * product1;
-    const double sum5 = a4 - product9;
-    const double sum13 = c4 * sum5 + s4 * sum1;
-    const double sum14 = a4 - sum13;
-    const double product26 = product1 * product4;
-    const double sum23 = c3 * sum14 - product26;
-    const double sum24 = c4 * sum1 - s4 * sum5;
-    const double sum25 = d3 + sum24;
-    const double sum36 = c2 * sum23 + s2 * sum25;
-    const double product37 = product1 * product5;
-    const double sum37 = s3 * sum14 + product37;
+    const double sum4 = a4 - product9;
+    const double sum11 = -c4 * sum4 - s4 * sum1;
+    const double sum14 = a4 + sum11;
+    const double product24 = product1 * product4;
+    const double sum21 = c3 * sum14 - product24;
+    const double sum22 = c4 * sum1 - s4 * sum4;
+    const double sum25 = d3 + sum22;
+    const double sum36 = c2 * sum21 + s2 * sum25;
+    const double product32 = product1 * product5;
+    const double sum37 = s3 * sum14 + product32;
     const double o7_x = c1 * sum36 - s1 * sum37;
     const double o7_y = c1 * sum37 + s1 * sum36;
-    const double o7_z = c2 * sum25 - s2 * sum23 + d1;
+    const double o7_z = c2 * sum25 - s2 * sum21 + d1;
     const double sum15 = d1 - oE_z;
-    const double sum38 = o4_z - oE_z;
-    const double sum39 = o4_y - oE_y;
-    const double sum40 = o5_z - oE_z;
-    const double sum41 = o5_y - oE_y;
-    const double sum42 = o6_z - oE_z;
-    const double sum43 = o6_y - oE_y;
-    const double sum44 = o7_z - oE_z;
-    const double sum45 = o7_y - oE_y;
-    const double sum46 = o4_x - oE_x;
-    const double sum47 = o5_x - oE_x;
-    const double sum48 = o6_x - oE_x;
-    const double sum49 = o7_x - oE_x;
+    const double sum38 = oE_z - o4_z;
+    const double sum39 = oE_y - o4_y;
+    const double sum40 = oE_z - o5_z;
+    const double sum41 = oE_y - o5_y;
+    const double sum42 = oE_z - o6_z;
+    const double sum43 = oE_y - o6_y;
+    const double sum44 = oE_z - o7_z;
+    const double sum45 = oE_y - o7_y;
+    const double sum46 = oE_x - o4_x;
+    const double sum47 = oE_x - o5_x;
+    const double sum48 = oE_x - o6_x;
+    const double sum49 = oE_x - o7_x;
 
     J[0] = -oE_y;
     J[1] = -c1 * sum15;
     J[2] = -z3_y * sum15 - c2 * oE_y;
-    J[3] = -z4_y * sum38 + z4_z * sum39;
-    J[4] = -z5_y * sum40 + z5_z * sum41;
-    J[5] = -z6_y * sum42 + z6_z * sum43;
-    J[6] = -z7_y * sum44 + z7_z * sum45;
+    J[3] = z4_y * sum38 - z4_z * sum39;
+    J[4] = z5_y * sum40 - z5_z * sum41;
+    J[5] = z6_y * sum42 - z6_z * sum43;
+    J[6] = z7_y * sum44 - z7_z * sum45;
     J[7] = oE_x;
     J[8] = -s1 * sum15;
     J[9] = c2 * oE_x + z3_x * sum15;
-    J[10] = -z4_z * sum46 + z4_x * sum38;
-    J[11] = -z5_z * sum47 + z5_x * sum40;
-    J[12] = -z6_z * sum48 + z6_x * sum42;
-    J[13] = -z7_z * sum49 + z7_x * sum44;
+    J[10] = z4_z * sum46 - z4_x * sum38;
+    J[11] = z5_z * sum47 - z5_x * sum40;
+    J[12] = z6_z * sum48 - z6_x * sum42;
+    J[13] = z7_z * sum49 - z7_x * sum44;
     J[14] = 0.0;
     J[15] = -s1 * oE_y - c1 * oE_x;
     J[16] = z3_x * oE_y - z3_y * oE_x;
-    J[17] = -z4_x * sum39 + z4_y * sum46;
-    J[18] = -z5_x * sum41 + z5_y * sum47;
-    J[19] = -z6_x * sum43 + z6_y * sum48;
-    J[20] = -z7_x * sum45 + z7_y * sum49;
+    J[17] = z4_x * sum39 - z4_y * sum46;
+    J[18] = z5_x * sum41 - z5_y * sum47;
+    J[19] = z6_x * sum43 - z6_y * sum48;
+    J[20] = z7_x * sum45 - z7_y * sum49;
     J[21] = 0.0;
     J[22] = -s1;
     J[23] = z3_x;
@@ -419,7 +422,7 @@ void franka_panda_jacobian(const double q[FRANKA_PANDA_JOINTS], const franka_pan
 #define NEAR 67108864.0
 
 /* The angle with d*cos = x and d*sin = y; free if the vector (x, y) vanishes. */
-static int solve_quotient(double x, double y, double d, double t, double reference, double *c, double *s)
+KINSYM_FN static int solve_quotient(double x, double y, double d, double t, double reference, double *c, double *s)
 {
     const double r = sqrt(x * x + y * y);
     if (r <= t) {
@@ -434,7 +437,8 @@ static int solve_quotient(double x, double y, double d, double t, double referen
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2],
+    int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
@@ -454,8 +458,8 @@ static int solve_homogeneous(double a, double b, double t, double reference, dou
 
 /* The angles with a*cos + b*sin = e: two; one on the border, where they meet; one, free, if a, b, e vanish. Beyond
  * the border there is none, but just beyond it, or anywhere if loose, one in doubt. */
-static int solve_linear(double a, double b, double e, double t, double reference, int loose,
-                        double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_linear(double a, double b, double e, double t, double reference, int loose, double c[2],
+    double s[2], int mark[2])
 {
     const double rr = a * a + b * b;
     const double r = sqrt(rr);
@@ -489,7 +493,7 @@ static int solve_linear(double a, double b, double e, double t, double reference
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -530,7 +534,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -546,14 +550,14 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether every parameter and locked joint has a finite value. */
-static int usable(const franka_panda_params *p)
+KINSYM_FN static int usable(const franka_panda_params *p)
 {
     return isfinite(p->d1) && isfinite(p->d3) && isfinite(p->a4) && isfinite(p->d5) && isfinite(p->a7)
         && isfinite(p->d7) && isfinite(p->theta7);
 }
 
 /* Whether all joint values are numbers; lengths near the limits of double precision can overflow on the way. */
-static int all_finite(const double q[FRANKA_PANDA_JOINTS])
+KINSYM_FN static int all_finite(const double q[FRANKA_PANDA_JOINTS])
 {
     for (int i = 0; i < FRANKA_PANDA_JOINTS; ++i) {
         if (!isfinite(q[i])) {
@@ -565,11 +569,11 @@ static int all_finite(const double q[FRANKA_PANDA_JOINTS])
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 12
-static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+static KINSYM_DATA const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[FRANKA_PANDA_JOINTS], const franka_panda_params *p, const double M[12],
-    double size, double e[ENTRIES])
+KINSYM_FN static double distance(const double q[FRANKA_PANDA_JOINTS], const franka_panda_params *p,
+    const double M[12], double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
     franka_panda_fk(q, p, T);
@@ -582,7 +586,7 @@ static double distance(const double q[FRANKA_PANDA_JOINTS], const franka_panda_p
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[FRANKA_PANDA_JOINTS], const franka_panda_params *p, double size,
+KINSYM_FN static void slopes(const double q[FRANKA_PANDA_JOINTS], const franka_panda_params *p, double size,
     double D[ENTRIES][FRANKA_PANDA_JOINTS])
 {
     double T[16], J[6 * FRANKA_PANDA_JOINTS];
@@ -602,7 +606,7 @@ static void slopes(const double q[FRANKA_PANDA_JOINTS], const franka_panda_param
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][FRANKA_PANDA_JOINTS], const double e[ENTRIES], double damping,
+KINSYM_FN static void step(double D[ENTRIES][FRANKA_PANDA_JOINTS], const double e[ENTRIES], double damping,
     double g[FRANKA_PANDA_JOINTS])
 {
     double A[FRANKA_PANDA_JOINTS + 1][ENTRIES + FRANKA_PANDA_JOINTS];
@@ -635,8 +639,8 @@ static void step(double D[ENTRIES][FRANKA_PANDA_JOINTS], const double e[ENTRIES]
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[FRANKA_PANDA_JOINTS], const franka_panda_params *p, const double M[12],
-    double size)
+KINSYM_FN static double polish(double q[FRANKA_PANDA_JOINTS], const franka_panda_params *p,
+    const double M[12], double size)
 {
     double e[ENTRIES], D[ENTRIES][FRANKA_PANDA_JOINTS], g[FRANKA_PANDA_JOINTS], trial[FRANKA_PANDA_JOINTS];
     double left = distance(q, p, M, size, e), caution = 1.0;
@@ -665,8 +669,8 @@ static double polish(double q[FRANKA_PANDA_JOINTS], const franka_panda_params *p
  * Where two borders cross the distance is stationary, and a second start lies beside it. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
-static int settle(double q[][FRANKA_PANDA_JOINTS], franka_panda_mark marks[], double alike[], unsigned twin,
-    int mark, const franka_panda_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settle(double q[][FRANKA_PANDA_JOINTS], franka_panda_mark marks[], double alike[],
+    unsigned twin, int mark, const franka_panda_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[FRANKA_PANDA_JOINTS], other[FRANKA_PANDA_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -712,7 +716,8 @@ static int settle(double q[][FRANKA_PANDA_JOINTS], franka_panda_mark marks[], do
 
 /* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
  * alike tells, and puts the rest in the order of their branches; returns how many are left. */
-static int tidied(double q[][FRANKA_PANDA_JOINTS], franka_panda_mark marks[], const double alike[], int count)
+KINSYM_FN static int tidied(double q[][FRANKA_PANDA_JOINTS], franka_panda_mark marks[], const double alike[],
+    int count)
 {
     int kept = 0;
     for (int i = 0; i < count; ++i) {
@@ -748,8 +753,8 @@ static int tidied(double q[][FRANKA_PANDA_JOINTS], franka_panda_mark marks[], co
 }
 
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
-static int settled(double q[][FRANKA_PANDA_JOINTS], franka_panda_mark marks[], const int found[], int count,
-    const franka_panda_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settled(double q[][FRANKA_PANDA_JOINTS], franka_panda_mark marks[], const int found[],
+    int count, const franka_panda_params *p, const double M[12], double tau, double size)
 {
     double given[FRANKA_PANDA_MAX_SOLUTIONS][FRANKA_PANDA_JOINTS];
     unsigned branches[FRANKA_PANDA_MAX_SOLUTIONS];
@@ -783,7 +788,7 @@ static int settled(double q[][FRANKA_PANDA_JOINTS], franka_panda_mark marks[], c
     return tidied(q, marks, alike, kept);
 }
 
-int franka_panda_ik_marked(const double T[16], const franka_panda_params *p,
+KINSYM_FN int franka_panda_ik_marked(const double T[16], const franka_panda_params *p,
     const double reference[FRANKA_PANDA_JOINTS], double q[][FRANKA_PANDA_JOINTS], franka_panda_mark marks[])
 {
     static const double zeros[FRANKA_PANDA_JOINTS] = {0.0};
@@ -983,19 +988,20 @@ int franka_panda_ik_marked(const double T[16], const franka_panda_params *p,
     return special ? settled(q, marks, found, count, p, M, tau, size) : count;
 }
 
-int franka_panda_ik_near(const double T[16], const franka_panda_params *p,
+KINSYM_FN int franka_panda_ik_near(const double T[16], const franka_panda_params *p,
     const double reference[FRANKA_PANDA_JOINTS], double q[][FRANKA_PANDA_JOINTS])
 {
     franka_panda_mark marks[FRANKA_PANDA_MAX_SOLUTIONS];
     return franka_panda_ik_marked(T, p, reference, q, marks);
 }
 
-int franka_panda_ik(const double T[16], const franka_panda_params *p, double q[][FRANKA_PANDA_JOINTS])
+KINSYM_FN int franka_panda_ik(const double T[16], const franka_panda_params *p,
+    double q[][FRANKA_PANDA_JOINTS])
 {
     return franka_panda_ik_near(T, p, NULL, q);
 }
 
-int franka_panda_ik_sweep_theta7(const double T[16], const franka_panda_params *p,
+KINSYM_FN int franka_panda_ik_sweep_theta7(const double T[16], const franka_panda_params *p,
     const double reference[FRANKA_PANDA_JOINTS], const double values[], int steps,
     double q[][FRANKA_PANDA_JOINTS], int counts[])
 {
@@ -1027,20 +1033,20 @@ const char *const franka_panda_branches[FRANKA_PANDA_MAX_SOLUTIONS] = {
     "elbow right, theta5 -, shoulder flipped",
 };
 
-const double franka_panda_lower[FRANKA_PANDA_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
-    -HUGE_VAL, -HUGE_VAL};
-const double franka_panda_upper[FRANKA_PANDA_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
-    HUGE_VAL, HUGE_VAL};
+KINSYM_DATA const double franka_panda_lower[FRANKA_PANDA_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+    -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+KINSYM_DATA const double franka_panda_upper[FRANKA_PANDA_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
+    HUGE_VAL, HUGE_VAL, HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides, L is locked. */
-static const char kinds[] = "RRRRRRL";
+static KINSYM_DATA const char kinds[] = "RRRRRRL";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[FRANKA_PANDA_JOINTS])
+KINSYM_FN static int are_numbers(const double x[FRANKA_PANDA_JOINTS])
 {
     for (int i = 0; x != NULL && i < FRANKA_PANDA_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -1051,7 +1057,7 @@ static int are_numbers(const double x[FRANKA_PANDA_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[FRANKA_PANDA_JOINTS], const double upper[FRANKA_PANDA_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[FRANKA_PANDA_JOINTS], const double upper[FRANKA_PANDA_JOINTS])
 {
     for (int i = 0; i < FRANKA_PANDA_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -1062,7 +1068,7 @@ static int all_intervals(const double lower[FRANKA_PANDA_JOINTS], const double u
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -1070,18 +1076,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'L' ? x : kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static franka_panda_status status_of(franka_panda_mark special)
+KINSYM_FN static franka_panda_status status_of(franka_panda_mark special)
 {
     return special.free | special.border ? FRANKA_PANDA_SINGULAR : FRANKA_PANDA_SOLVED;
 }
 
-franka_panda_status franka_panda_solve(const double T[16], const franka_panda_params *p,
+KINSYM_FN franka_panda_status franka_panda_solve(const double T[16], const franka_panda_params *p,
     const double reference[FRANKA_PANDA_JOINTS], franka_panda_solutions *out)
 {
     out->count = 0;
@@ -1105,7 +1111,7 @@ franka_panda_status franka_panda_solve(const double T[16], const franka_panda_pa
     return out->status;
 }
 
-unsigned franka_panda_family(unsigned free)
+KINSYM_FN unsigned franka_panda_family(unsigned free)
 {
     unsigned moving = free;
     moving |= (free & 1u) == 1u ? 5u : 0u;
@@ -1113,7 +1119,7 @@ unsigned franka_panda_family(unsigned free)
     return moving;
 }
 
-int franka_panda_within(const double T[16], const franka_panda_params *p,
+KINSYM_FN int franka_panda_within(const double T[16], const franka_panda_params *p,
     const double reference[FRANKA_PANDA_JOINTS], const double lower[FRANKA_PANDA_JOINTS],
     const double upper[FRANKA_PANDA_JOINTS], int capacity, double q[][FRANKA_PANDA_JOINTS],
     franka_panda_mark marks[])
@@ -1159,7 +1165,7 @@ int franka_panda_within(const double T[16], const franka_panda_params *p,
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-franka_panda_status franka_panda_nearest(const double T[16], const franka_panda_params *p,
+KINSYM_FN franka_panda_status franka_panda_nearest(const double T[16], const franka_panda_params *p,
     const double reference[FRANKA_PANDA_JOINTS], const double weights[FRANKA_PANDA_JOINTS],
     const double lower[FRANKA_PANDA_JOINTS], const double upper[FRANKA_PANDA_JOINTS],
     double q[FRANKA_PANDA_JOINTS])
@@ -1223,7 +1229,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -1241,18 +1247,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const franka_panda_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const franka_panda_params *p, int path, lane_block *block)
 {
     const double d1 = p->d1;
     const double d3 = p->d3;
@@ -1310,9 +1316,9 @@ static void fk_block(const franka_panda_params *p, int path, lane_block *block)
         const double v37_y = c4 * v57_y + s4 * v47_x;
         const double w37_x = c4 * w47_x + s4 * c6;
         const double w37_y = s4 * w47_x - c4 * c6;
-        const double sum1 = a4 - p47_x;
-        const double p37_x = -c4 * sum1 - s4 * p47_z;
-        const double p37_y = c4 * p47_z - s4 * sum1;
+        const double sum1 = p47_x - a4;
+        const double p37_x = c4 * sum1 - s4 * p47_z;
+        const double p37_y = c4 * p47_z + s4 * sum1;
         const double u27_x = c3 * u37_x - s3 * u47_y;
         const double u27_y = c3 * u47_y + s3 * u37_x;
         const double v27_x = c3 * v37_x - s3 * v47_y;
@@ -1346,7 +1352,7 @@ static void fk_block(const franka_panda_params *p, int path, lane_block *block)
     }
 }
 
-void franka_panda_fk_batch(const double q[], int n, const franka_panda_params *p, double T[])
+KINSYM_FN void franka_panda_fk_batch(const double q[], int n, const franka_panda_params *p, double T[])
 {
     if (p == NULL) {
         p = &franka_panda_defaults;
@@ -1380,13 +1386,13 @@ void franka_panda_fk_batch(const double q[], int n, const franka_panda_params *p
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* The angle with d*cos = x and d*sin = y. */
-static inline void lane_quotient(double x, double y, double d, double t, double *c, double *s, double *marked)
+KINSYM_FN static inline void lane_quotient(double x, double y, double d, double t, double *c, double *s, double *marked)
 {
     const double r = sqrt(x * x + y * y);
     const double per_r = 1.0 / (d < 0.0 ? -r : r);
@@ -1396,7 +1402,7 @@ static inline void lane_quotient(double x, double y, double d, double t, double 
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart. */
-static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
 {
     const double r = sqrt(a * a + b * b);
     const double per_r = 1.0 / r;
@@ -1409,7 +1415,8 @@ static inline double lane_homogeneous(double a, double b, double t, double c[2],
 }
 
 /* The two angles with a*cos + b*sin = e. */
-static inline double lane_linear(double a, double b, double e, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_linear(double a, double b, double e, double t, double c[2], double s[2],
+    double *marked)
 {
     const double rr = a * a + b * b;
     const double r = sqrt(rr);
@@ -1428,7 +1435,7 @@ static inline double lane_linear(double a, double b, double e, double t, double 
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -1469,7 +1476,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* What the solver knows of the locked joints of one lane; without a value there is nothing to solve. */
-static void give_lane(const franka_panda_params *p, int k, lane_block *block)
+KINSYM_FN static void give_lane(const franka_panda_params *p, int k, lane_block *block)
 {
     const double theta7 = p->theta7;
     const double c7 = cos(theta7);
@@ -1481,7 +1488,7 @@ static void give_lane(const franka_panda_params *p, int k, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const franka_panda_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const franka_panda_params *p, lane_block *block)
 {
     const double d1 = p->d1;
     const double d3 = p->d3;
@@ -1646,7 +1653,7 @@ static void solve_block(const franka_panda_params *p, lane_block *block)
     }
 }
 
-int franka_panda_ik_batch(const double T[], int n, const franka_panda_params *p,
+KINSYM_FN int franka_panda_ik_batch(const double T[], int n, const franka_panda_params *p,
     const double reference[FRANKA_PANDA_JOINTS], const double theta7_values[],
     double q[][FRANKA_PANDA_JOINTS], int counts[])
 {
@@ -1690,3 +1697,7 @@ int franka_panda_ik_batch(const double T[], int n, const franka_panda_params *p,
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

@@ -35,9 +35,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If FRANKA_PANDA_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes franka_panda.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef FRANKA_PANDA_H
 #define FRANKA_PANDA_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -73,13 +92,14 @@ typedef struct franka_panda_params {
 
 /* The values of the table; they are taken where a function is given p = NULL. Locked joints have none (NaN), so the
  * inverse kinematics needs a copy in which they are set. */
-extern const franka_panda_params franka_panda_defaults;
+extern KINSYM_DATA const franka_panda_params franka_panda_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void franka_panda_fk(const double q[FRANKA_PANDA_JOINTS], const franka_panda_params *p, double T[16]);
+KINSYM_FN void franka_panda_fk(const double q[FRANKA_PANDA_JOINTS], const franka_panda_params *p,
+    double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void franka_panda_jacobian(const double q[FRANKA_PANDA_JOINTS], const franka_panda_params *p,
+KINSYM_FN void franka_panda_jacobian(const double q[FRANKA_PANDA_JOINTS], const franka_panda_params *p,
     double J[6 * FRANKA_PANDA_JOINTS]);
 
 /*
@@ -105,11 +125,12 @@ void franka_panda_jacobian(const double q[FRANKA_PANDA_JOINTS], const franka_pan
  * FRANKA_PANDA_BAD_PARAMETER if a parameter or a locked joint is missing or not finite.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int franka_panda_ik(const double T[16], const franka_panda_params *p, double q[][FRANKA_PANDA_JOINTS]);
+KINSYM_FN int franka_panda_ik(const double T[16], const franka_panda_params *p,
+    double q[][FRANKA_PANDA_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int franka_panda_ik_near(const double T[16], const franka_panda_params *p,
+KINSYM_FN int franka_panda_ik_near(const double T[16], const franka_panda_params *p,
     const double reference[FRANKA_PANDA_JOINTS], double q[][FRANKA_PANDA_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -121,7 +142,7 @@ typedef struct franka_panda_mark {
 } franka_panda_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int franka_panda_ik_marked(const double T[16], const franka_panda_params *p,
+KINSYM_FN int franka_panda_ik_marked(const double T[16], const franka_panda_params *p,
     const double reference[FRANKA_PANDA_JOINTS], double q[][FRANKA_PANDA_JOINTS], franka_panda_mark marks[]);
 
 /* The names of the branches by their number:
@@ -141,7 +162,8 @@ int franka_panda_ik_marked(const double T[16], const franka_panda_params *p,
 extern const char *const franka_panda_branches[FRANKA_PANDA_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double franka_panda_lower[FRANKA_PANDA_JOINTS], franka_panda_upper[FRANKA_PANDA_JOINTS];
+extern KINSYM_DATA const double franka_panda_lower[FRANKA_PANDA_JOINTS];
+extern KINSYM_DATA const double franka_panda_upper[FRANKA_PANDA_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct franka_panda_solutions {
@@ -152,12 +174,12 @@ typedef struct franka_panda_solutions {
 } franka_panda_solutions;
 
 /* ik_marked with a status, which is returned as well; FRANKA_PANDA_BAD_REFERENCE if the reference is not finite. */
-franka_panda_status franka_panda_solve(const double T[16], const franka_panda_params *p,
+KINSYM_FN franka_panda_status franka_panda_solve(const double T[16], const franka_panda_params *p,
     const double reference[FRANKA_PANDA_JOINTS], franka_panda_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned franka_panda_family(unsigned free);
+KINSYM_FN unsigned franka_panda_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of the joints solved for that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -165,7 +187,7 @@ unsigned franka_panda_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * FRANKA_PANDA_BAD_LIMIT if limits are no interval. */
-int franka_panda_within(const double T[16], const franka_panda_params *p,
+KINSYM_FN int franka_panda_within(const double T[16], const franka_panda_params *p,
     const double reference[FRANKA_PANDA_JOINTS], const double lower[FRANKA_PANDA_JOINTS],
     const double upper[FRANKA_PANDA_JOINTS], int capacity, double q[][FRANKA_PANDA_JOINTS],
     franka_panda_mark marks[]);
@@ -174,7 +196,7 @@ int franka_panda_within(const double T[16], const franka_panda_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. FRANKA_PANDA_BAD_WEIGHT if a weight is negative or not finite. */
-franka_panda_status franka_panda_nearest(const double T[16], const franka_panda_params *p,
+KINSYM_FN franka_panda_status franka_panda_nearest(const double T[16], const franka_panda_params *p,
     const double reference[FRANKA_PANDA_JOINTS], const double weights[FRANKA_PANDA_JOINTS],
     const double lower[FRANKA_PANDA_JOINTS], const double upper[FRANKA_PANDA_JOINTS],
     double q[FRANKA_PANDA_JOINTS]);
@@ -182,7 +204,7 @@ franka_panda_status franka_panda_nearest(const double T[16], const franka_panda_
 /* Forward kinematics of n joint vectors: q has FRANKA_PANDA_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void franka_panda_fk_batch(const double q[], int n, const franka_panda_params *p, double T[]);
+KINSYM_FN void franka_panda_fk_batch(const double q[], int n, const franka_panda_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -196,7 +218,7 @@ void franka_panda_fk_batch(const double q[], int n, const franka_panda_params *p
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 60 kB of stack are used. */
-int franka_panda_ik_batch(const double T[], int n, const franka_panda_params *p,
+KINSYM_FN int franka_panda_ik_batch(const double T[], int n, const franka_panda_params *p,
     const double reference[FRANKA_PANDA_JOINTS], const double theta7_values[],
     double q[][FRANKA_PANDA_JOINTS], int counts[]);
 
@@ -204,7 +226,7 @@ int franka_panda_ik_batch(const double T[], int n, const franka_panda_params *p,
  * k * FRANKA_PANDA_MAX_SOLUTIONS on
  * (q needs room for so many of each value), and counts[k] is their number. Returns the sum of the numbers, or what ik
  * returns where it is negative. */
-int franka_panda_ik_sweep_theta7(const double T[16], const franka_panda_params *p,
+KINSYM_FN int franka_panda_ik_sweep_theta7(const double T[16], const franka_panda_params *p,
     const double reference[FRANKA_PANDA_JOINTS], const double values[], int steps,
     double q[][FRANKA_PANDA_JOINTS], int counts[]);
 

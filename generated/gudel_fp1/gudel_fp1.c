@@ -21,21 +21,22 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
 double sqrt(double) __attribute__((const)); /* the library's own declaration lets it write errno */
 #endif
 
-const gudel_fp1_params gudel_fp1_defaults = {
+KINSYM_DATA const gudel_fp1_params gudel_fp1_defaults = {
     0.109004, /* x0 */
     1.365052, /* y0 */
     0.882554, /* z0 */
 };
 
-void gudel_fp1_fk(const double q[GUDEL_FP1_JOINTS], const gudel_fp1_params *p, double T[16])
+KINSYM_FN void gudel_fp1_fk(const double q[GUDEL_FP1_JOINTS], const gudel_fp1_params *p, double T[16])
 {
     if (p == NULL) {
         p = &gudel_fp1_defaults;
@@ -65,7 +66,7 @@ void gudel_fp1_fk(const double q[GUDEL_FP1_JOINTS], const gudel_fp1_params *p, d
     T[15] = 1.0;
 }
 
-void gudel_fp1_jacobian(const double q[GUDEL_FP1_JOINTS], const gudel_fp1_params *p,
+KINSYM_FN void gudel_fp1_jacobian(const double q[GUDEL_FP1_JOINTS], const gudel_fp1_params *p,
     double J[6 * GUDEL_FP1_JOINTS])
 {
     (void)p;
@@ -93,7 +94,7 @@ void gudel_fp1_jacobian(const double q[GUDEL_FP1_JOINTS], const gudel_fp1_params
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -134,7 +135,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -150,13 +151,13 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether every parameter has a finite value. */
-static int usable(const gudel_fp1_params *p)
+KINSYM_FN static int usable(const gudel_fp1_params *p)
 {
     return isfinite(p->x0) && isfinite(p->y0) && isfinite(p->z0);
 }
 
 /* Whether all joint values are numbers; lengths near the limits of double precision can overflow on the way. */
-static int all_finite(const double q[GUDEL_FP1_JOINTS])
+KINSYM_FN static int all_finite(const double q[GUDEL_FP1_JOINTS])
 {
     for (int i = 0; i < GUDEL_FP1_JOINTS; ++i) {
         if (!isfinite(q[i])) {
@@ -167,7 +168,7 @@ static int all_finite(const double q[GUDEL_FP1_JOINTS])
 }
 
 /* The solutions of a special pose that are numbers; returns how many there are. */
-static int settled(double q[][GUDEL_FP1_JOINTS], gudel_fp1_mark marks[], int count)
+KINSYM_FN static int settled(double q[][GUDEL_FP1_JOINTS], gudel_fp1_mark marks[], int count)
 {
     double given[GUDEL_FP1_MAX_SOLUTIONS][GUDEL_FP1_JOINTS];
     unsigned branches[GUDEL_FP1_MAX_SOLUTIONS];
@@ -190,7 +191,7 @@ static int settled(double q[][GUDEL_FP1_JOINTS], gudel_fp1_mark marks[], int cou
     return kept;
 }
 
-int gudel_fp1_ik_marked(const double T[16], const gudel_fp1_params *p,
+KINSYM_FN int gudel_fp1_ik_marked(const double T[16], const gudel_fp1_params *p,
     const double reference[GUDEL_FP1_JOINTS], double q[][GUDEL_FP1_JOINTS], gudel_fp1_mark marks[])
 {
     (void)reference; /* no joint can be free */
@@ -247,14 +248,14 @@ int gudel_fp1_ik_marked(const double T[16], const gudel_fp1_params *p,
     return special ? settled(q, marks, count) : count;
 }
 
-int gudel_fp1_ik_near(const double T[16], const gudel_fp1_params *p, const double reference[GUDEL_FP1_JOINTS],
-    double q[][GUDEL_FP1_JOINTS])
+KINSYM_FN int gudel_fp1_ik_near(const double T[16], const gudel_fp1_params *p,
+    const double reference[GUDEL_FP1_JOINTS], double q[][GUDEL_FP1_JOINTS])
 {
     gudel_fp1_mark marks[GUDEL_FP1_MAX_SOLUTIONS];
     return gudel_fp1_ik_marked(T, p, reference, q, marks);
 }
 
-int gudel_fp1_ik(const double T[16], const gudel_fp1_params *p, double q[][GUDEL_FP1_JOINTS])
+KINSYM_FN int gudel_fp1_ik(const double T[16], const gudel_fp1_params *p, double q[][GUDEL_FP1_JOINTS])
 {
     return gudel_fp1_ik_near(T, p, NULL, q);
 }
@@ -263,18 +264,18 @@ const char *const gudel_fp1_branches[GUDEL_FP1_MAX_SOLUTIONS] = {
     "the only one",
 };
 
-const double gudel_fp1_lower[GUDEL_FP1_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-const double gudel_fp1_upper[GUDEL_FP1_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+KINSYM_DATA const double gudel_fp1_lower[GUDEL_FP1_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+KINSYM_DATA const double gudel_fp1_upper[GUDEL_FP1_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "PPP";
+static KINSYM_DATA const char kinds[] = "PPP";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[GUDEL_FP1_JOINTS])
+KINSYM_FN static int are_numbers(const double x[GUDEL_FP1_JOINTS])
 {
     for (int i = 0; x != NULL && i < GUDEL_FP1_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -285,7 +286,7 @@ static int are_numbers(const double x[GUDEL_FP1_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[GUDEL_FP1_JOINTS], const double upper[GUDEL_FP1_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[GUDEL_FP1_JOINTS], const double upper[GUDEL_FP1_JOINTS])
 {
     for (int i = 0; i < GUDEL_FP1_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -296,7 +297,7 @@ static int all_intervals(const double lower[GUDEL_FP1_JOINTS], const double uppe
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -304,18 +305,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static gudel_fp1_status status_of(gudel_fp1_mark special)
+KINSYM_FN static gudel_fp1_status status_of(gudel_fp1_mark special)
 {
     return special.free | special.border ? GUDEL_FP1_SINGULAR : GUDEL_FP1_SOLVED;
 }
 
-gudel_fp1_status gudel_fp1_solve(const double T[16], const gudel_fp1_params *p,
+KINSYM_FN gudel_fp1_status gudel_fp1_solve(const double T[16], const gudel_fp1_params *p,
     const double reference[GUDEL_FP1_JOINTS], gudel_fp1_solutions *out)
 {
     out->count = 0;
@@ -339,15 +340,15 @@ gudel_fp1_status gudel_fp1_solve(const double T[16], const gudel_fp1_params *p,
     return out->status;
 }
 
-unsigned gudel_fp1_family(unsigned free)
+KINSYM_FN unsigned gudel_fp1_family(unsigned free)
 {
     unsigned moving = free;
     return moving;
 }
 
-int gudel_fp1_within(const double T[16], const gudel_fp1_params *p, const double reference[GUDEL_FP1_JOINTS],
-    const double lower[GUDEL_FP1_JOINTS], const double upper[GUDEL_FP1_JOINTS], int capacity,
-    double q[][GUDEL_FP1_JOINTS], gudel_fp1_mark marks[])
+KINSYM_FN int gudel_fp1_within(const double T[16], const gudel_fp1_params *p,
+    const double reference[GUDEL_FP1_JOINTS], const double lower[GUDEL_FP1_JOINTS],
+    const double upper[GUDEL_FP1_JOINTS], int capacity, double q[][GUDEL_FP1_JOINTS], gudel_fp1_mark marks[])
 {
     const double *low = lower == NULL ? gudel_fp1_lower : lower;
     const double *high = upper == NULL ? gudel_fp1_upper : upper;
@@ -390,7 +391,7 @@ int gudel_fp1_within(const double T[16], const gudel_fp1_params *p, const double
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-gudel_fp1_status gudel_fp1_nearest(const double T[16], const gudel_fp1_params *p,
+KINSYM_FN gudel_fp1_status gudel_fp1_nearest(const double T[16], const gudel_fp1_params *p,
     const double reference[GUDEL_FP1_JOINTS], const double weights[GUDEL_FP1_JOINTS],
     const double lower[GUDEL_FP1_JOINTS], const double upper[GUDEL_FP1_JOINTS], double q[GUDEL_FP1_JOINTS])
 {
@@ -446,7 +447,7 @@ typedef struct lane_block {
 } lane_block;
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const gudel_fp1_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const gudel_fp1_params *p, int path, lane_block *block)
 {
     const double x0 = p->x0;
     const double y0 = p->y0;
@@ -477,7 +478,7 @@ static void fk_block(const gudel_fp1_params *p, int path, lane_block *block)
     }
 }
 
-void gudel_fp1_fk_batch(const double q[], int n, const gudel_fp1_params *p, double T[])
+KINSYM_FN void gudel_fp1_fk_batch(const double q[], int n, const gudel_fp1_params *p, double T[])
 {
     if (p == NULL) {
         p = &gudel_fp1_defaults;
@@ -504,14 +505,14 @@ void gudel_fp1_fk_batch(const double q[], int n, const gudel_fp1_params *p, doub
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -552,7 +553,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const gudel_fp1_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const gudel_fp1_params *p, lane_block *block)
 {
     const double x0 = p->x0;
     const double y0 = p->y0;
@@ -576,7 +577,7 @@ static void solve_block(const gudel_fp1_params *p, lane_block *block)
     }
 }
 
-int gudel_fp1_ik_batch(const double T[], int n, const gudel_fp1_params *p,
+KINSYM_FN int gudel_fp1_ik_batch(const double T[], int n, const gudel_fp1_params *p,
     const double reference[GUDEL_FP1_JOINTS], double q[][GUDEL_FP1_JOINTS], int counts[])
 {
     if (p == NULL) {
@@ -611,3 +612,7 @@ int gudel_fp1_ik_batch(const double T[], int n, const gudel_fp1_params *p,
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

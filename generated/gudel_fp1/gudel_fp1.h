@@ -28,9 +28,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If GUDEL_FP1_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes gudel_fp1.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef GUDEL_FP1_H
 #define GUDEL_FP1_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -60,13 +79,13 @@ typedef struct gudel_fp1_params {
 } gudel_fp1_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const gudel_fp1_params gudel_fp1_defaults;
+extern KINSYM_DATA const gudel_fp1_params gudel_fp1_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void gudel_fp1_fk(const double q[GUDEL_FP1_JOINTS], const gudel_fp1_params *p, double T[16]);
+KINSYM_FN void gudel_fp1_fk(const double q[GUDEL_FP1_JOINTS], const gudel_fp1_params *p, double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void gudel_fp1_jacobian(const double q[GUDEL_FP1_JOINTS], const gudel_fp1_params *p,
+KINSYM_FN void gudel_fp1_jacobian(const double q[GUDEL_FP1_JOINTS], const gudel_fp1_params *p,
     double J[6 * GUDEL_FP1_JOINTS]);
 
 /* Inverse kinematics: every solution of the pose T, angles in (-pi, pi], a fixed order of branches.
@@ -77,12 +96,12 @@ void gudel_fp1_jacobian(const double q[GUDEL_FP1_JOINTS], const gudel_fp1_params
  * GUDEL_FP1_BAD_PARAMETER if a parameter is not finite.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int gudel_fp1_ik(const double T[16], const gudel_fp1_params *p, double q[][GUDEL_FP1_JOINTS]);
+KINSYM_FN int gudel_fp1_ik(const double T[16], const gudel_fp1_params *p, double q[][GUDEL_FP1_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int gudel_fp1_ik_near(const double T[16], const gudel_fp1_params *p, const double reference[GUDEL_FP1_JOINTS],
-    double q[][GUDEL_FP1_JOINTS]);
+KINSYM_FN int gudel_fp1_ik_near(const double T[16], const gudel_fp1_params *p,
+    const double reference[GUDEL_FP1_JOINTS], double q[][GUDEL_FP1_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
  * GUDEL_FP1_MAX_SOLUTIONS - 1,
@@ -93,7 +112,7 @@ typedef struct gudel_fp1_mark {
 } gudel_fp1_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int gudel_fp1_ik_marked(const double T[16], const gudel_fp1_params *p,
+KINSYM_FN int gudel_fp1_ik_marked(const double T[16], const gudel_fp1_params *p,
     const double reference[GUDEL_FP1_JOINTS], double q[][GUDEL_FP1_JOINTS], gudel_fp1_mark marks[]);
 
 /* The names of the branches by their number:
@@ -102,7 +121,8 @@ int gudel_fp1_ik_marked(const double T[16], const gudel_fp1_params *p,
 extern const char *const gudel_fp1_branches[GUDEL_FP1_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double gudel_fp1_lower[GUDEL_FP1_JOINTS], gudel_fp1_upper[GUDEL_FP1_JOINTS];
+extern KINSYM_DATA const double gudel_fp1_lower[GUDEL_FP1_JOINTS];
+extern KINSYM_DATA const double gudel_fp1_upper[GUDEL_FP1_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct gudel_fp1_solutions {
@@ -113,12 +133,12 @@ typedef struct gudel_fp1_solutions {
 } gudel_fp1_solutions;
 
 /* ik_marked with a status, which is returned as well; GUDEL_FP1_BAD_REFERENCE if the reference is not finite. */
-gudel_fp1_status gudel_fp1_solve(const double T[16], const gudel_fp1_params *p,
+KINSYM_FN gudel_fp1_status gudel_fp1_solve(const double T[16], const gudel_fp1_params *p,
     const double reference[GUDEL_FP1_JOINTS], gudel_fp1_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned gudel_fp1_family(unsigned free);
+KINSYM_FN unsigned gudel_fp1_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -126,22 +146,22 @@ unsigned gudel_fp1_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * GUDEL_FP1_BAD_LIMIT if limits are no interval. */
-int gudel_fp1_within(const double T[16], const gudel_fp1_params *p, const double reference[GUDEL_FP1_JOINTS],
-    const double lower[GUDEL_FP1_JOINTS], const double upper[GUDEL_FP1_JOINTS], int capacity,
-    double q[][GUDEL_FP1_JOINTS], gudel_fp1_mark marks[]);
+KINSYM_FN int gudel_fp1_within(const double T[16], const gudel_fp1_params *p,
+    const double reference[GUDEL_FP1_JOINTS], const double lower[GUDEL_FP1_JOINTS],
+    const double upper[GUDEL_FP1_JOINTS], int capacity, double q[][GUDEL_FP1_JOINTS], gudel_fp1_mark marks[]);
 
 /* The solution nearest to a reference: least is the sum of weights (NULL: 1) times squared differences, over all
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. GUDEL_FP1_BAD_WEIGHT if a weight is negative or not finite. */
-gudel_fp1_status gudel_fp1_nearest(const double T[16], const gudel_fp1_params *p,
+KINSYM_FN gudel_fp1_status gudel_fp1_nearest(const double T[16], const gudel_fp1_params *p,
     const double reference[GUDEL_FP1_JOINTS], const double weights[GUDEL_FP1_JOINTS],
     const double lower[GUDEL_FP1_JOINTS], const double upper[GUDEL_FP1_JOINTS], double q[GUDEL_FP1_JOINTS]);
 
 /* Forward kinematics of n joint vectors: q has GUDEL_FP1_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void gudel_fp1_fk_batch(const double q[], int n, const gudel_fp1_params *p, double T[]);
+KINSYM_FN void gudel_fp1_fk_batch(const double q[], int n, const gudel_fp1_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -154,7 +174,7 @@ void gudel_fp1_fk_batch(const double q[], int n, const gudel_fp1_params *p, doub
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 20 kB of stack are used. */
-int gudel_fp1_ik_batch(const double T[], int n, const gudel_fp1_params *p,
+KINSYM_FN int gudel_fp1_ik_batch(const double T[], int n, const gudel_fp1_params *p,
     const double reference[GUDEL_FP1_JOINTS], double q[][GUDEL_FP1_JOINTS], int counts[]);
 
 #ifdef __cplusplus

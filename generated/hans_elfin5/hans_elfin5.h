@@ -32,9 +32,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If HANS_ELFIN5_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes hans_elfin5.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef HANS_ELFIN5_H
 #define HANS_ELFIN5_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -65,13 +84,13 @@ typedef struct hans_elfin5_params {
 } hans_elfin5_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const hans_elfin5_params hans_elfin5_defaults;
+extern KINSYM_DATA const hans_elfin5_params hans_elfin5_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void hans_elfin5_fk(const double q[HANS_ELFIN5_JOINTS], const hans_elfin5_params *p, double T[16]);
+KINSYM_FN void hans_elfin5_fk(const double q[HANS_ELFIN5_JOINTS], const hans_elfin5_params *p, double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void hans_elfin5_jacobian(const double q[HANS_ELFIN5_JOINTS], const hans_elfin5_params *p,
+KINSYM_FN void hans_elfin5_jacobian(const double q[HANS_ELFIN5_JOINTS], const hans_elfin5_params *p,
     double J[6 * HANS_ELFIN5_JOINTS]);
 
 /*
@@ -95,11 +114,11 @@ void hans_elfin5_jacobian(const double q[HANS_ELFIN5_JOINTS], const hans_elfin5_
  * or if one of these vanishes, which the equations take for granted: a2, d4.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int hans_elfin5_ik(const double T[16], const hans_elfin5_params *p, double q[][HANS_ELFIN5_JOINTS]);
+KINSYM_FN int hans_elfin5_ik(const double T[16], const hans_elfin5_params *p, double q[][HANS_ELFIN5_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int hans_elfin5_ik_near(const double T[16], const hans_elfin5_params *p,
+KINSYM_FN int hans_elfin5_ik_near(const double T[16], const hans_elfin5_params *p,
     const double reference[HANS_ELFIN5_JOINTS], double q[][HANS_ELFIN5_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -111,7 +130,7 @@ typedef struct hans_elfin5_mark {
 } hans_elfin5_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int hans_elfin5_ik_marked(const double T[16], const hans_elfin5_params *p,
+KINSYM_FN int hans_elfin5_ik_marked(const double T[16], const hans_elfin5_params *p,
     const double reference[HANS_ELFIN5_JOINTS], double q[][HANS_ELFIN5_JOINTS], hans_elfin5_mark marks[]);
 
 /* The names of the branches by their number:
@@ -133,7 +152,8 @@ int hans_elfin5_ik_marked(const double T[16], const hans_elfin5_params *p,
 extern const char *const hans_elfin5_branches[HANS_ELFIN5_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double hans_elfin5_lower[HANS_ELFIN5_JOINTS], hans_elfin5_upper[HANS_ELFIN5_JOINTS];
+extern KINSYM_DATA const double hans_elfin5_lower[HANS_ELFIN5_JOINTS];
+extern KINSYM_DATA const double hans_elfin5_upper[HANS_ELFIN5_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct hans_elfin5_solutions {
@@ -144,12 +164,12 @@ typedef struct hans_elfin5_solutions {
 } hans_elfin5_solutions;
 
 /* ik_marked with a status, which is returned as well; HANS_ELFIN5_BAD_REFERENCE if the reference is not finite. */
-hans_elfin5_status hans_elfin5_solve(const double T[16], const hans_elfin5_params *p,
+KINSYM_FN hans_elfin5_status hans_elfin5_solve(const double T[16], const hans_elfin5_params *p,
     const double reference[HANS_ELFIN5_JOINTS], hans_elfin5_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned hans_elfin5_family(unsigned free);
+KINSYM_FN unsigned hans_elfin5_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -157,7 +177,7 @@ unsigned hans_elfin5_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * HANS_ELFIN5_BAD_LIMIT if limits are no interval. */
-int hans_elfin5_within(const double T[16], const hans_elfin5_params *p,
+KINSYM_FN int hans_elfin5_within(const double T[16], const hans_elfin5_params *p,
     const double reference[HANS_ELFIN5_JOINTS], const double lower[HANS_ELFIN5_JOINTS],
     const double upper[HANS_ELFIN5_JOINTS], int capacity, double q[][HANS_ELFIN5_JOINTS],
     hans_elfin5_mark marks[]);
@@ -166,7 +186,7 @@ int hans_elfin5_within(const double T[16], const hans_elfin5_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. HANS_ELFIN5_BAD_WEIGHT if a weight is negative or not finite. */
-hans_elfin5_status hans_elfin5_nearest(const double T[16], const hans_elfin5_params *p,
+KINSYM_FN hans_elfin5_status hans_elfin5_nearest(const double T[16], const hans_elfin5_params *p,
     const double reference[HANS_ELFIN5_JOINTS], const double weights[HANS_ELFIN5_JOINTS],
     const double lower[HANS_ELFIN5_JOINTS], const double upper[HANS_ELFIN5_JOINTS],
     double q[HANS_ELFIN5_JOINTS]);
@@ -174,7 +194,7 @@ hans_elfin5_status hans_elfin5_nearest(const double T[16], const hans_elfin5_par
 /* Forward kinematics of n joint vectors: q has HANS_ELFIN5_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void hans_elfin5_fk_batch(const double q[], int n, const hans_elfin5_params *p, double T[]);
+KINSYM_FN void hans_elfin5_fk_batch(const double q[], int n, const hans_elfin5_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -187,7 +207,7 @@ void hans_elfin5_fk_batch(const double q[], int n, const hans_elfin5_params *p, 
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 60 kB of stack are used. */
-int hans_elfin5_ik_batch(const double T[], int n, const hans_elfin5_params *p,
+KINSYM_FN int hans_elfin5_ik_batch(const double T[], int n, const hans_elfin5_params *p,
     const double reference[HANS_ELFIN5_JOINTS], double q[][HANS_ELFIN5_JOINTS], int counts[]);
 
 #ifdef __cplusplus

@@ -31,9 +31,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If KATANA_450_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes katana_450.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef KATANA_450_H
 #define KATANA_450_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -65,13 +84,13 @@ typedef struct katana_450_params {
 } katana_450_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const katana_450_params katana_450_defaults;
+extern KINSYM_DATA const katana_450_params katana_450_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void katana_450_fk(const double q[KATANA_450_JOINTS], const katana_450_params *p, double T[16]);
+KINSYM_FN void katana_450_fk(const double q[KATANA_450_JOINTS], const katana_450_params *p, double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void katana_450_jacobian(const double q[KATANA_450_JOINTS], const katana_450_params *p,
+KINSYM_FN void katana_450_jacobian(const double q[KATANA_450_JOINTS], const katana_450_params *p,
     double J[6 * KATANA_450_JOINTS]);
 
 /*
@@ -97,11 +116,11 @@ void katana_450_jacobian(const double q[KATANA_450_JOINTS], const katana_450_par
  * or if one of these vanishes, which the equations take for granted: a2, a3.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int katana_450_ik(const double T[16], const katana_450_params *p, double q[][KATANA_450_JOINTS]);
+KINSYM_FN int katana_450_ik(const double T[16], const katana_450_params *p, double q[][KATANA_450_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int katana_450_ik_near(const double T[16], const katana_450_params *p,
+KINSYM_FN int katana_450_ik_near(const double T[16], const katana_450_params *p,
     const double reference[KATANA_450_JOINTS], double q[][KATANA_450_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -113,7 +132,7 @@ typedef struct katana_450_mark {
 } katana_450_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int katana_450_ik_marked(const double T[16], const katana_450_params *p,
+KINSYM_FN int katana_450_ik_marked(const double T[16], const katana_450_params *p,
     const double reference[KATANA_450_JOINTS], double q[][KATANA_450_JOINTS], katana_450_mark marks[]);
 
 /* The names of the branches by their number:
@@ -127,7 +146,8 @@ int katana_450_ik_marked(const double T[16], const katana_450_params *p,
 extern const char *const katana_450_branches[KATANA_450_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double katana_450_lower[KATANA_450_JOINTS], katana_450_upper[KATANA_450_JOINTS];
+extern KINSYM_DATA const double katana_450_lower[KATANA_450_JOINTS];
+extern KINSYM_DATA const double katana_450_upper[KATANA_450_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct katana_450_solutions {
@@ -138,12 +158,12 @@ typedef struct katana_450_solutions {
 } katana_450_solutions;
 
 /* ik_marked with a status, which is returned as well; KATANA_450_BAD_REFERENCE if the reference is not finite. */
-katana_450_status katana_450_solve(const double T[16], const katana_450_params *p,
+KINSYM_FN katana_450_status katana_450_solve(const double T[16], const katana_450_params *p,
     const double reference[KATANA_450_JOINTS], katana_450_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned katana_450_family(unsigned free);
+KINSYM_FN unsigned katana_450_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -151,7 +171,7 @@ unsigned katana_450_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * KATANA_450_BAD_LIMIT if limits are no interval. */
-int katana_450_within(const double T[16], const katana_450_params *p,
+KINSYM_FN int katana_450_within(const double T[16], const katana_450_params *p,
     const double reference[KATANA_450_JOINTS], const double lower[KATANA_450_JOINTS],
     const double upper[KATANA_450_JOINTS], int capacity, double q[][KATANA_450_JOINTS],
     katana_450_mark marks[]);
@@ -160,7 +180,7 @@ int katana_450_within(const double T[16], const katana_450_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. KATANA_450_BAD_WEIGHT if a weight is negative or not finite. */
-katana_450_status katana_450_nearest(const double T[16], const katana_450_params *p,
+KINSYM_FN katana_450_status katana_450_nearest(const double T[16], const katana_450_params *p,
     const double reference[KATANA_450_JOINTS], const double weights[KATANA_450_JOINTS],
     const double lower[KATANA_450_JOINTS], const double upper[KATANA_450_JOINTS],
     double q[KATANA_450_JOINTS]);
@@ -168,7 +188,7 @@ katana_450_status katana_450_nearest(const double T[16], const katana_450_params
 /* Forward kinematics of n joint vectors: q has KATANA_450_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void katana_450_fk_batch(const double q[], int n, const katana_450_params *p, double T[]);
+KINSYM_FN void katana_450_fk_batch(const double q[], int n, const katana_450_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -181,7 +201,7 @@ void katana_450_fk_batch(const double q[], int n, const katana_450_params *p, do
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 30 kB of stack are used. */
-int katana_450_ik_batch(const double T[], int n, const katana_450_params *p,
+KINSYM_FN int katana_450_ik_batch(const double T[], int n, const katana_450_params *p,
     const double reference[KATANA_450_JOINTS], double q[][KATANA_450_JOINTS], int counts[]);
 
 #ifdef __cplusplus

@@ -32,9 +32,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If KINOVA_J2S6S300_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes kinova_j2s6s300.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef KINOVA_J2S6S300_H
 #define KINOVA_J2S6S300_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -67,15 +86,15 @@ typedef struct kinova_j2s6s300_params {
 } kinova_j2s6s300_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const kinova_j2s6s300_params kinova_j2s6s300_defaults;
+extern KINSYM_DATA const kinova_j2s6s300_params kinova_j2s6s300_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void kinova_j2s6s300_fk(const double q[KINOVA_J2S6S300_JOINTS], const kinova_j2s6s300_params *p,
+KINSYM_FN void kinova_j2s6s300_fk(const double q[KINOVA_J2S6S300_JOINTS], const kinova_j2s6s300_params *p,
     double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void kinova_j2s6s300_jacobian(const double q[KINOVA_J2S6S300_JOINTS], const kinova_j2s6s300_params *p,
-    double J[6 * KINOVA_J2S6S300_JOINTS]);
+KINSYM_FN void kinova_j2s6s300_jacobian(const double q[KINOVA_J2S6S300_JOINTS],
+    const kinova_j2s6s300_params *p, double J[6 * KINOVA_J2S6S300_JOINTS]);
 
 /*
  * Singular poses:
@@ -98,12 +117,12 @@ void kinova_j2s6s300_jacobian(const double q[KINOVA_J2S6S300_JOINTS], const kino
  * or if one of these vanishes, which the equations take for granted: d2.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int kinova_j2s6s300_ik(const double T[16], const kinova_j2s6s300_params *p,
+KINSYM_FN int kinova_j2s6s300_ik(const double T[16], const kinova_j2s6s300_params *p,
     double q[][KINOVA_J2S6S300_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int kinova_j2s6s300_ik_near(const double T[16], const kinova_j2s6s300_params *p,
+KINSYM_FN int kinova_j2s6s300_ik_near(const double T[16], const kinova_j2s6s300_params *p,
     const double reference[KINOVA_J2S6S300_JOINTS], double q[][KINOVA_J2S6S300_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -115,7 +134,7 @@ typedef struct kinova_j2s6s300_mark {
 } kinova_j2s6s300_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int kinova_j2s6s300_ik_marked(const double T[16], const kinova_j2s6s300_params *p,
+KINSYM_FN int kinova_j2s6s300_ik_marked(const double T[16], const kinova_j2s6s300_params *p,
     const double reference[KINOVA_J2S6S300_JOINTS], double q[][KINOVA_J2S6S300_JOINTS],
     kinova_j2s6s300_mark marks[]);
 
@@ -138,7 +157,8 @@ int kinova_j2s6s300_ik_marked(const double T[16], const kinova_j2s6s300_params *
 extern const char *const kinova_j2s6s300_branches[KINOVA_J2S6S300_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double kinova_j2s6s300_lower[KINOVA_J2S6S300_JOINTS], kinova_j2s6s300_upper[KINOVA_J2S6S300_JOINTS];
+extern KINSYM_DATA const double kinova_j2s6s300_lower[KINOVA_J2S6S300_JOINTS];
+extern KINSYM_DATA const double kinova_j2s6s300_upper[KINOVA_J2S6S300_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct kinova_j2s6s300_solutions {
@@ -149,12 +169,12 @@ typedef struct kinova_j2s6s300_solutions {
 } kinova_j2s6s300_solutions;
 
 /* ik_marked with a status, which is returned as well; KINOVA_J2S6S300_BAD_REFERENCE if the reference is not finite. */
-kinova_j2s6s300_status kinova_j2s6s300_solve(const double T[16], const kinova_j2s6s300_params *p,
+KINSYM_FN kinova_j2s6s300_status kinova_j2s6s300_solve(const double T[16], const kinova_j2s6s300_params *p,
     const double reference[KINOVA_J2S6S300_JOINTS], kinova_j2s6s300_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned kinova_j2s6s300_family(unsigned free);
+KINSYM_FN unsigned kinova_j2s6s300_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -162,7 +182,7 @@ unsigned kinova_j2s6s300_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * KINOVA_J2S6S300_BAD_LIMIT if limits are no interval. */
-int kinova_j2s6s300_within(const double T[16], const kinova_j2s6s300_params *p,
+KINSYM_FN int kinova_j2s6s300_within(const double T[16], const kinova_j2s6s300_params *p,
     const double reference[KINOVA_J2S6S300_JOINTS], const double lower[KINOVA_J2S6S300_JOINTS],
     const double upper[KINOVA_J2S6S300_JOINTS], int capacity, double q[][KINOVA_J2S6S300_JOINTS],
     kinova_j2s6s300_mark marks[]);
@@ -171,7 +191,7 @@ int kinova_j2s6s300_within(const double T[16], const kinova_j2s6s300_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. KINOVA_J2S6S300_BAD_WEIGHT if a weight is negative or not finite. */
-kinova_j2s6s300_status kinova_j2s6s300_nearest(const double T[16], const kinova_j2s6s300_params *p,
+KINSYM_FN kinova_j2s6s300_status kinova_j2s6s300_nearest(const double T[16], const kinova_j2s6s300_params *p,
     const double reference[KINOVA_J2S6S300_JOINTS], const double weights[KINOVA_J2S6S300_JOINTS],
     const double lower[KINOVA_J2S6S300_JOINTS], const double upper[KINOVA_J2S6S300_JOINTS],
     double q[KINOVA_J2S6S300_JOINTS]);
@@ -179,7 +199,7 @@ kinova_j2s6s300_status kinova_j2s6s300_nearest(const double T[16], const kinova_
 /* Forward kinematics of n joint vectors: q has KINOVA_J2S6S300_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void kinova_j2s6s300_fk_batch(const double q[], int n, const kinova_j2s6s300_params *p, double T[]);
+KINSYM_FN void kinova_j2s6s300_fk_batch(const double q[], int n, const kinova_j2s6s300_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -192,7 +212,7 @@ void kinova_j2s6s300_fk_batch(const double q[], int n, const kinova_j2s6s300_par
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 60 kB of stack are used. */
-int kinova_j2s6s300_ik_batch(const double T[], int n, const kinova_j2s6s300_params *p,
+KINSYM_FN int kinova_j2s6s300_ik_batch(const double T[], int n, const kinova_j2s6s300_params *p,
     const double reference[KINOVA_J2S6S300_JOINTS], double q[][KINOVA_J2S6S300_JOINTS], int counts[]);
 
 #ifdef __cplusplus

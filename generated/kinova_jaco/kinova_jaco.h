@@ -30,9 +30,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If KINOVA_JACO_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes kinova_jaco.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef KINOVA_JACO_H
 #define KINOVA_JACO_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -65,13 +84,13 @@ typedef struct kinova_jaco_params {
 } kinova_jaco_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const kinova_jaco_params kinova_jaco_defaults;
+extern KINSYM_DATA const kinova_jaco_params kinova_jaco_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void kinova_jaco_fk(const double q[KINOVA_JACO_JOINTS], const kinova_jaco_params *p, double T[16]);
+KINSYM_FN void kinova_jaco_fk(const double q[KINOVA_JACO_JOINTS], const kinova_jaco_params *p, double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void kinova_jaco_jacobian(const double q[KINOVA_JACO_JOINTS], const kinova_jaco_params *p,
+KINSYM_FN void kinova_jaco_jacobian(const double q[KINOVA_JACO_JOINTS], const kinova_jaco_params *p,
     double J[6 * KINOVA_JACO_JOINTS]);
 
 /*
@@ -97,10 +116,10 @@ void kinova_jaco_jacobian(const double q[KINOVA_JACO_JOINTS], const kinova_jaco_
  * Roots of a polynomial of degree 16, each polished until the pose agrees within 1e-10 of the arm's
  * size, as a rule within rounding. Where two solutions meet, at the border of the workspace, one is returned. Where
  * a joint is free there is a continuum of solutions, of which some are found. About 25 kB of stack are used. */
-int kinova_jaco_ik(const double T[16], const kinova_jaco_params *p, double q[][KINOVA_JACO_JOINTS]);
+KINSYM_FN int kinova_jaco_ik(const double T[16], const kinova_jaco_params *p, double q[][KINOVA_JACO_JOINTS]);
 
 /* The same: the reference is there so that every arm is called alike, and is not read. */
-int kinova_jaco_ik_near(const double T[16], const kinova_jaco_params *p,
+KINSYM_FN int kinova_jaco_ik_near(const double T[16], const kinova_jaco_params *p,
     const double reference[KINOVA_JACO_JOINTS], double q[][KINOVA_JACO_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the order of the solutions; free and border are
@@ -110,7 +129,7 @@ typedef struct kinova_jaco_mark {
 } kinova_jaco_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int kinova_jaco_ik_marked(const double T[16], const kinova_jaco_params *p,
+KINSYM_FN int kinova_jaco_ik_marked(const double T[16], const kinova_jaco_params *p,
     const double reference[KINOVA_JACO_JOINTS], double q[][KINOVA_JACO_JOINTS], kinova_jaco_mark marks[]);
 
 /* The names of the branches by their number:
@@ -134,7 +153,8 @@ int kinova_jaco_ik_marked(const double T[16], const kinova_jaco_params *p,
 extern const char *const kinova_jaco_branches[KINOVA_JACO_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double kinova_jaco_lower[KINOVA_JACO_JOINTS], kinova_jaco_upper[KINOVA_JACO_JOINTS];
+extern KINSYM_DATA const double kinova_jaco_lower[KINOVA_JACO_JOINTS];
+extern KINSYM_DATA const double kinova_jaco_upper[KINOVA_JACO_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct kinova_jaco_solutions {
@@ -145,12 +165,12 @@ typedef struct kinova_jaco_solutions {
 } kinova_jaco_solutions;
 
 /* ik_marked with a status, which is returned as well; KINOVA_JACO_BAD_REFERENCE if the reference is not finite. */
-kinova_jaco_status kinova_jaco_solve(const double T[16], const kinova_jaco_params *p,
+KINSYM_FN kinova_jaco_status kinova_jaco_solve(const double T[16], const kinova_jaco_params *p,
     const double reference[KINOVA_JACO_JOINTS], kinova_jaco_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned kinova_jaco_family(unsigned free);
+KINSYM_FN unsigned kinova_jaco_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -158,7 +178,7 @@ unsigned kinova_jaco_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * KINOVA_JACO_BAD_LIMIT if limits are no interval. */
-int kinova_jaco_within(const double T[16], const kinova_jaco_params *p,
+KINSYM_FN int kinova_jaco_within(const double T[16], const kinova_jaco_params *p,
     const double reference[KINOVA_JACO_JOINTS], const double lower[KINOVA_JACO_JOINTS],
     const double upper[KINOVA_JACO_JOINTS], int capacity, double q[][KINOVA_JACO_JOINTS],
     kinova_jaco_mark marks[]);
@@ -167,7 +187,7 @@ int kinova_jaco_within(const double T[16], const kinova_jaco_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. KINOVA_JACO_BAD_WEIGHT if a weight is negative or not finite. */
-kinova_jaco_status kinova_jaco_nearest(const double T[16], const kinova_jaco_params *p,
+KINSYM_FN kinova_jaco_status kinova_jaco_nearest(const double T[16], const kinova_jaco_params *p,
     const double reference[KINOVA_JACO_JOINTS], const double weights[KINOVA_JACO_JOINTS],
     const double lower[KINOVA_JACO_JOINTS], const double upper[KINOVA_JACO_JOINTS],
     double q[KINOVA_JACO_JOINTS]);
@@ -175,7 +195,7 @@ kinova_jaco_status kinova_jaco_nearest(const double T[16], const kinova_jaco_par
 /* Forward kinematics of n joint vectors: q has KINOVA_JACO_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void kinova_jaco_fk_batch(const double q[], int n, const kinova_jaco_params *p, double T[]);
+KINSYM_FN void kinova_jaco_fk_batch(const double q[], int n, const kinova_jaco_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -185,7 +205,7 @@ void kinova_jaco_fk_batch(const double q[], int n, const kinova_jaco_params *p, 
  * KINOVA_JACO_BAD_PARAMETER as ik_near does.
  *
  * This arm's solver searches for roots pose by pose: this is a loop over ik_near. */
-int kinova_jaco_ik_batch(const double T[], int n, const kinova_jaco_params *p,
+KINSYM_FN int kinova_jaco_ik_batch(const double T[], int n, const kinova_jaco_params *p,
     const double reference[KINOVA_JACO_JOINTS], double q[][KINOVA_JACO_JOINTS], int counts[]);
 
 #ifdef __cplusplus

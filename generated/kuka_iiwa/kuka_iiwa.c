@@ -26,15 +26,16 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
 double sqrt(double) __attribute__((const)); /* the library's own declaration lets it write errno */
 #endif
 
-const kuka_iiwa_params kuka_iiwa_defaults = {
+KINSYM_DATA const kuka_iiwa_params kuka_iiwa_defaults = {
     0.36, /* d1 */
     0.42, /* d3 */
     0.4, /* d5 */
@@ -45,7 +46,7 @@ const kuka_iiwa_params kuka_iiwa_defaults = {
 #ifdef KUKA_IIWA_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -57,7 +58,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -94,7 +95,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -102,28 +104,28 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The angle half a turn away, in (-pi, pi]; what is too small to be seen beside pi counts as 0. */
-static inline double half_turn(double angle)
+KINSYM_FN static inline double half_turn(double angle)
 {
     const double pi = 3.141592653589793;
     return angle + (angle > 2.220446049250313e-16 ? -pi : pi);
 }
 
 /* The opposite angle in (-pi, pi]. */
-static inline double opposite(double angle)
+KINSYM_FN static inline double opposite(double angle)
 {
     const double pi = 3.141592653589793;
     return angle < pi ? -angle : angle;
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void kuka_iiwa_fk(const double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params *p, double T[16])
+KINSYM_FN void kuka_iiwa_fk(const double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params *p, double T[16])
 {
     if (p == NULL) {
         p = &kuka_iiwa_defaults;
@@ -212,7 +214,7 @@ void kuka_iiwa_fk(const double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params *p, d
     T[15] = 1.0;
 }
 
-void kuka_iiwa_jacobian(const double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params *p,
+KINSYM_FN void kuka_iiwa_jacobian(const double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params *p,
     double J[6 * KUKA_IIWA_JOINTS])
 {
     if (p == NULL) {
@@ -240,108 +242,108 @@ void kuka_iiwa_jacobian(const double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params
     const double s5 = sin(theta5);
     const double c6 = cos(theta6);
     const double s6 = sin(theta6);
-    const double product4 = c6 * d7;
-    const double sum1 = d5 + product4;
     const double product1 = c5 * s6;
-    const double product2 = c4 * product1;
-    const double product8 = d7 * product2;
-    const double sum2 = s4 * sum1 - product8;
-    const double product3 = s5 * s6;
-    const double product5 = product3 * s3;
-    const double product14 = d7 * product5;
-    const double sum11 = c3 * sum2 + product14;
-    const double product6 = product1 * s4;
-    const double product15 = d7 * product6;
-    const double sum12 = c4 * sum1 + product15;
-    const double sum13 = d3 + sum12;
-    const double sum18 = c2 * sum11 - s2 * sum13;
-    const double product11 = c3 * product3;
-    const double product21 = d7 * product11;
-    const double sum19 = s3 * sum2 - product21;
-    const double oE_x = -c1 * sum18 + s1 * sum19;
-    const double oE_y = -c1 * sum19 - s1 * sum18;
-    const double oE_z = c2 * sum13 + s2 * sum11 + d1;
-    const double product22 = c1 * s2;
-    const double z3_x = product22;
-    const double product23 = s1 * s2;
-    const double z3_y = product23;
-    const double product24 = c2 * s3;
-    const double z4_x = product24 * c1 + s1 * c3;
-    const double z4_y = product24 * s1 - c1 * c3;
+    const double product3 = c4 * product1;
+    const double product10 = d7 * product3;
+    const double product4 = d7 * c6;
+    const double sum1 = product4 + d5;
+    const double sum2 = product10 - s4 * sum1;
+    const double product2 = s6 * s5;
+    const double product7 = s3 * product2;
+    const double product19 = d7 * product7;
+    const double sum11 = c3 * sum2 - product19;
+    const double product6 = s4 * product1;
+    const double product18 = d7 * product6;
+    const double sum12 = c4 * sum1 + product18;
+    const double sum17 = d3 + sum12;
+    const double sum18 = c2 * sum11 + s2 * sum17;
+    const double product12 = c3 * product2;
+    const double product30 = d7 * product12;
+    const double sum19 = s3 * sum2 + product30;
+    const double oE_x = c1 * sum18 - s1 * sum19;
+    const double oE_y = c1 * sum19 + s1 * sum18;
+    const double oE_z = c2 * sum17 - s2 * sum11 + d1;
+    const double product21 = s2 * c1;
+    const double z3_x = product21;
+    const double product22 = s2 * s1;
+    const double z3_y = product22;
+    const double product23 = s3 * c2;
+    const double z4_x = product23 * c1 + s1 * c3;
+    const double z4_y = product23 * s1 - c1 * c3;
     const double z4_z = -s2 * s3;
-    const double o4_x = product22 * d3;
-    const double o4_y = product23 * d3;
+    const double o4_x = product21 * d3;
+    const double o4_y = product22 * d3;
     const double o4_z = d3 * c2 + d1;
-    const double product7 = c3 * s4;
-    const double product12 = c2 * product7;
-    const double product25 = c4 * s2;
-    const double sum20 = product12 - product25;
-    const double product13 = s3 * s4;
-    const double product26 = product13 * s1;
-    const double z5_x = -c1 * sum20 + product26;
-    const double product27 = c1 * product13;
-    const double z5_y = -s1 * sum20 - product27;
-    const double product28 = product7 * s2;
-    const double z5_z = c2 * c4 + product28;
-    const double product9 = c4 * s5;
-    const double product29 = product9 * s3;
-    const double product30 = c3 * c5;
-    const double sum21 = product29 - product30;
-    const double product16 = c3 * product9;
-    const double product17 = c5 * s3;
-    const double sum14 = product16 + product17;
-    const double product18 = s4 * s5;
-    const double product31 = product18 * s2;
-    const double sum22 = c2 * sum14 + product31;
+    const double product24 = c4 * s2;
+    const double product5 = s4 * c3;
+    const double product13 = c2 * product5;
+    const double sum20 = product24 - product13;
+    const double product11 = s4 * s3;
+    const double product28 = s1 * product11;
+    const double z5_x = c1 * sum20 + product28;
+    const double product29 = c1 * product11;
+    const double z5_y = s1 * sum20 - product29;
+    const double product26 = s2 * product5;
+    const double z5_z = c2 * c4 + product26;
+    const double product8 = c4 * s5;
+    const double product27 = s3 * product8;
+    const double product25 = c5 * c3;
+    const double sum21 = product27 - product25;
+    const double product20 = c3 * product8;
+    const double product14 = c5 * s3;
+    const double sum13 = product20 + product14;
+    const double product15 = s4 * s5;
+    const double product32 = s2 * product15;
+    const double sum22 = c2 * sum13 + product32;
     const double z6_x = s1 * sum21 - c1 * sum22;
     const double z6_y = -c1 * sum21 - s1 * sum22;
-    const double z6_z = s2 * sum14 - product18 * c2;
-    const double product19 = c4 * d5;
-    const double sum15 = d3 + product19;
-    const double product32 = d5 * product12;
-    const double sum23 = s2 * sum15 - product32;
-    const double o6_x = c1 * sum23 + product26 * d5;
-    const double o6_y = s1 * sum23 - product27 * d5;
-    const double o6_z = c2 * sum15 + product28 * d5 + d1;
-    const double product10 = c6 * s4;
-    const double sum3 = product10 - product2;
-    const double sum16 = c3 * sum3 + product5;
-    const double product20 = c4 * c6;
-    const double sum17 = product20 + product6;
-    const double sum24 = c2 * sum16 - s2 * sum17;
-    const double sum25 = s3 * sum3 - product11;
-    const double z7_x = -c1 * sum24 + s1 * sum25;
-    const double z7_y = -c1 * sum25 - s1 * sum24;
-    const double z7_z = c2 * sum17 + s2 * sum16;
+    const double z6_z = s2 * sum13 - product15 * c2;
+    const double product16 = c4 * d5;
+    const double sum14 = d3 + product16;
+    const double product31 = d5 * product13;
+    const double sum23 = s2 * sum14 - product31;
+    const double o6_x = c1 * sum23 + product28 * d5;
+    const double o6_y = s1 * sum23 - product29 * d5;
+    const double o6_z = c2 * sum14 + product26 * d5 + d1;
+    const double product9 = c6 * s4;
+    const double sum3 = product3 - product9;
+    const double sum15 = c3 * sum3 - product7;
+    const double product17 = c4 * c6;
+    const double sum16 = product17 + product6;
+    const double sum24 = c2 * sum15 + s2 * sum16;
+    const double sum25 = s3 * sum3 + product12;
+    const double z7_x = c1 * sum24 - s1 * sum25;
+    const double z7_y = c1 * sum25 + s1 * sum24;
+    const double z7_z = c2 * sum16 - s2 * sum15;
     const double sum4 = d1 - oE_z;
-    const double sum5 = o4_z - oE_z;
-    const double sum6 = o4_y - oE_y;
-    const double sum7 = o6_z - oE_z;
-    const double sum8 = o6_y - oE_y;
-    const double sum9 = o4_x - oE_x;
-    const double sum10 = o6_x - oE_x;
+    const double sum5 = oE_z - o4_z;
+    const double sum6 = oE_y - o4_y;
+    const double sum7 = oE_z - o6_z;
+    const double sum8 = oE_y - o6_y;
+    const double sum9 = oE_x - o4_x;
+    const double sum10 = oE_x - o6_x;
 
     J[0] = -oE_y;
     J[1] = -c1 * sum4;
     J[2] = -z3_y * sum4 - c2 * oE_y;
-    J[3] = -z4_y * sum5 + z4_z * sum6;
-    J[4] = -z5_y * sum5 + z5_z * sum6;
-    J[5] = -z6_y * sum7 + z6_z * sum8;
-    J[6] = -z7_y * sum7 + z7_z * sum8;
+    J[3] = z4_y * sum5 - z4_z * sum6;
+    J[4] = z5_y * sum5 - z5_z * sum6;
+    J[5] = z6_y * sum7 - z6_z * sum8;
+    J[6] = z7_y * sum7 - z7_z * sum8;
     J[7] = oE_x;
     J[8] = -s1 * sum4;
     J[9] = c2 * oE_x + z3_x * sum4;
-    J[10] = -z4_z * sum9 + z4_x * sum5;
-    J[11] = -z5_z * sum9 + z5_x * sum5;
-    J[12] = -z6_z * sum10 + z6_x * sum7;
-    J[13] = -z7_z * sum10 + z7_x * sum7;
+    J[10] = z4_z * sum9 - z4_x * sum5;
+    J[11] = z5_z * sum9 - z5_x * sum5;
+    J[12] = z6_z * sum10 - z6_x * sum7;
+    J[13] = z7_z * sum10 - z7_x * sum7;
     J[14] = 0.0;
     J[15] = -s1 * oE_y - c1 * oE_x;
     J[16] = z3_x * oE_y - z3_y * oE_x;
-    J[17] = -z4_x * sum6 + z4_y * sum9;
-    J[18] = -z5_x * sum6 + z5_y * sum9;
-    J[19] = -z6_x * sum8 + z6_y * sum10;
-    J[20] = -z7_x * sum8 + z7_y * sum10;
+    J[17] = z4_x * sum6 - z4_y * sum9;
+    J[18] = z5_x * sum6 - z5_y * sum9;
+    J[19] = z6_x * sum8 - z6_y * sum10;
+    J[20] = z7_x * sum8 - z7_y * sum10;
     J[21] = 0.0;
     J[22] = -s1;
     J[23] = z3_x;
@@ -376,7 +378,7 @@ void kuka_iiwa_jacobian(const double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params
 #define NEAR 67108864.0
 
 /* The angle with d*cos = x and d*sin = y; free if the vector (x, y) vanishes. */
-static int solve_quotient(double x, double y, double d, double t, double reference, double *c, double *s)
+KINSYM_FN static int solve_quotient(double x, double y, double d, double t, double reference, double *c, double *s)
 {
     const double r = sqrt(x * x + y * y);
     if (r <= t) {
@@ -391,7 +393,8 @@ static int solve_quotient(double x, double y, double d, double t, double referen
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2],
+    int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
@@ -411,8 +414,8 @@ static int solve_homogeneous(double a, double b, double t, double reference, dou
 
 /* The angles with a*cos + b*sin = e: two; one on the border, where they meet; one, free, if a, b, e vanish. Beyond
  * the border there is none, but just beyond it, or anywhere if loose, one in doubt. */
-static int solve_linear(double a, double b, double e, double t, double reference, int loose,
-                        double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_linear(double a, double b, double e, double t, double reference, int loose, double c[2],
+    double s[2], int mark[2])
 {
     const double rr = a * a + b * b;
     const double r = sqrt(rr);
@@ -446,7 +449,7 @@ static int solve_linear(double a, double b, double e, double t, double reference
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -487,7 +490,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -503,7 +506,7 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether nothing vanishes that the equations take for granted. */
-static int regular(const kuka_iiwa_params *p)
+KINSYM_FN static int regular(const kuka_iiwa_params *p)
 {
     const double d1 = p->d1;
     const double d3 = p->d3;
@@ -514,14 +517,14 @@ static int regular(const kuka_iiwa_params *p)
 }
 
 /* Whether every parameter and locked joint has a finite value, and none one that this solver is not for. */
-static int usable(const kuka_iiwa_params *p)
+KINSYM_FN static int usable(const kuka_iiwa_params *p)
 {
     return isfinite(p->d1) && isfinite(p->d3) && isfinite(p->d5) && isfinite(p->d7) && isfinite(p->theta3)
         && regular(p);
 }
 
 /* Whether all joint values are numbers; lengths near the limits of double precision can overflow on the way. */
-static int all_finite(const double q[KUKA_IIWA_JOINTS])
+KINSYM_FN static int all_finite(const double q[KUKA_IIWA_JOINTS])
 {
     for (int i = 0; i < KUKA_IIWA_JOINTS; ++i) {
         if (!isfinite(q[i])) {
@@ -533,11 +536,11 @@ static int all_finite(const double q[KUKA_IIWA_JOINTS])
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 12
-static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+static KINSYM_DATA const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params *p, const double M[12],
-    double size, double e[ENTRIES])
+KINSYM_FN static double distance(const double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params *p,
+    const double M[12], double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
     kuka_iiwa_fk(q, p, T);
@@ -550,7 +553,7 @@ static double distance(const double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params 
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params *p, double size,
+KINSYM_FN static void slopes(const double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params *p, double size,
     double D[ENTRIES][KUKA_IIWA_JOINTS])
 {
     double T[16], J[6 * KUKA_IIWA_JOINTS];
@@ -570,7 +573,7 @@ static void slopes(const double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params *p, 
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][KUKA_IIWA_JOINTS], const double e[ENTRIES], double damping,
+KINSYM_FN static void step(double D[ENTRIES][KUKA_IIWA_JOINTS], const double e[ENTRIES], double damping,
     double g[KUKA_IIWA_JOINTS])
 {
     double A[KUKA_IIWA_JOINTS + 1][ENTRIES + KUKA_IIWA_JOINTS];
@@ -603,7 +606,8 @@ static void step(double D[ENTRIES][KUKA_IIWA_JOINTS], const double e[ENTRIES], d
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params *p, const double M[12], double size)
+KINSYM_FN static double polish(double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params *p, const double M[12],
+    double size)
 {
     double e[ENTRIES], D[ENTRIES][KUKA_IIWA_JOINTS], g[KUKA_IIWA_JOINTS], trial[KUKA_IIWA_JOINTS];
     double left = distance(q, p, M, size, e), caution = 1.0;
@@ -632,8 +636,8 @@ static double polish(double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params *p, cons
  * Where two borders cross the distance is stationary, and a second start lies beside it. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
-static int settle(double q[][KUKA_IIWA_JOINTS], kuka_iiwa_mark marks[], double alike[], unsigned twin,
-    int mark, const kuka_iiwa_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settle(double q[][KUKA_IIWA_JOINTS], kuka_iiwa_mark marks[], double alike[],
+    unsigned twin, int mark, const kuka_iiwa_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[KUKA_IIWA_JOINTS], other[KUKA_IIWA_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -679,7 +683,8 @@ static int settle(double q[][KUKA_IIWA_JOINTS], kuka_iiwa_mark marks[], double a
 
 /* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
  * alike tells, and puts the rest in the order of their branches; returns how many are left. */
-static int tidied(double q[][KUKA_IIWA_JOINTS], kuka_iiwa_mark marks[], const double alike[], int count)
+KINSYM_FN static int tidied(double q[][KUKA_IIWA_JOINTS], kuka_iiwa_mark marks[], const double alike[],
+    int count)
 {
     int kept = 0;
     for (int i = 0; i < count; ++i) {
@@ -715,8 +720,8 @@ static int tidied(double q[][KUKA_IIWA_JOINTS], kuka_iiwa_mark marks[], const do
 }
 
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
-static int settled(double q[][KUKA_IIWA_JOINTS], kuka_iiwa_mark marks[], const int found[], int count,
-    const kuka_iiwa_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settled(double q[][KUKA_IIWA_JOINTS], kuka_iiwa_mark marks[], const int found[],
+    int count, const kuka_iiwa_params *p, const double M[12], double tau, double size)
 {
     double given[KUKA_IIWA_MAX_SOLUTIONS][KUKA_IIWA_JOINTS];
     unsigned branches[KUKA_IIWA_MAX_SOLUTIONS];
@@ -750,7 +755,7 @@ static int settled(double q[][KUKA_IIWA_JOINTS], kuka_iiwa_mark marks[], const i
     return tidied(q, marks, alike, kept);
 }
 
-int kuka_iiwa_ik_marked(const double T[16], const kuka_iiwa_params *p,
+KINSYM_FN int kuka_iiwa_ik_marked(const double T[16], const kuka_iiwa_params *p,
     const double reference[KUKA_IIWA_JOINTS], double q[][KUKA_IIWA_JOINTS], kuka_iiwa_mark marks[])
 {
     static const double zeros[KUKA_IIWA_JOINTS] = {0.0};
@@ -938,19 +943,19 @@ int kuka_iiwa_ik_marked(const double T[16], const kuka_iiwa_params *p,
     return special ? settled(q, marks, found, count, p, M, tau, size) : count;
 }
 
-int kuka_iiwa_ik_near(const double T[16], const kuka_iiwa_params *p, const double reference[KUKA_IIWA_JOINTS],
-    double q[][KUKA_IIWA_JOINTS])
+KINSYM_FN int kuka_iiwa_ik_near(const double T[16], const kuka_iiwa_params *p,
+    const double reference[KUKA_IIWA_JOINTS], double q[][KUKA_IIWA_JOINTS])
 {
     kuka_iiwa_mark marks[KUKA_IIWA_MAX_SOLUTIONS];
     return kuka_iiwa_ik_marked(T, p, reference, q, marks);
 }
 
-int kuka_iiwa_ik(const double T[16], const kuka_iiwa_params *p, double q[][KUKA_IIWA_JOINTS])
+KINSYM_FN int kuka_iiwa_ik(const double T[16], const kuka_iiwa_params *p, double q[][KUKA_IIWA_JOINTS])
 {
     return kuka_iiwa_ik_near(T, p, NULL, q);
 }
 
-int kuka_iiwa_ik_sweep_theta3(const double T[16], const kuka_iiwa_params *p,
+KINSYM_FN int kuka_iiwa_ik_sweep_theta3(const double T[16], const kuka_iiwa_params *p,
     const double reference[KUKA_IIWA_JOINTS], const double values[], int steps, double q[][KUKA_IIWA_JOINTS],
     int counts[])
 {
@@ -982,20 +987,20 @@ const char *const kuka_iiwa_branches[KUKA_IIWA_MAX_SOLUTIONS] = {
     "elbow right, shoulder right, wrist flipped",
 };
 
-const double kuka_iiwa_lower[KUKA_IIWA_JOINTS] = {-2.9670597283903604, -2.0943951023931957,
+KINSYM_DATA const double kuka_iiwa_lower[KUKA_IIWA_JOINTS] = {-2.9670597283903604, -2.0943951023931957,
     -2.9670597283903604, -2.0943951023931957, -2.9670597283903604, -2.0943951023931957, -3.0543261909900767};
-const double kuka_iiwa_upper[KUKA_IIWA_JOINTS] = {2.9670597283903604, 2.0943951023931957, 2.9670597283903604,
-    2.0943951023931957, 2.9670597283903604, 2.0943951023931957, 3.0543261909900767};
+KINSYM_DATA const double kuka_iiwa_upper[KUKA_IIWA_JOINTS] = {2.9670597283903604, 2.0943951023931957,
+    2.9670597283903604, 2.0943951023931957, 2.9670597283903604, 2.0943951023931957, 3.0543261909900767};
 
 /* A letter for each joint: R is wound by whole turns, P slides, L is locked. */
-static const char kinds[] = "RRLRRRR";
+static KINSYM_DATA const char kinds[] = "RRLRRRR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[KUKA_IIWA_JOINTS])
+KINSYM_FN static int are_numbers(const double x[KUKA_IIWA_JOINTS])
 {
     for (int i = 0; x != NULL && i < KUKA_IIWA_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -1006,7 +1011,7 @@ static int are_numbers(const double x[KUKA_IIWA_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[KUKA_IIWA_JOINTS], const double upper[KUKA_IIWA_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[KUKA_IIWA_JOINTS], const double upper[KUKA_IIWA_JOINTS])
 {
     for (int i = 0; i < KUKA_IIWA_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -1017,7 +1022,7 @@ static int all_intervals(const double lower[KUKA_IIWA_JOINTS], const double uppe
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -1025,18 +1030,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'L' ? x : kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static kuka_iiwa_status status_of(kuka_iiwa_mark special)
+KINSYM_FN static kuka_iiwa_status status_of(kuka_iiwa_mark special)
 {
     return special.free | special.border ? KUKA_IIWA_SINGULAR : KUKA_IIWA_SOLVED;
 }
 
-kuka_iiwa_status kuka_iiwa_solve(const double T[16], const kuka_iiwa_params *p,
+KINSYM_FN kuka_iiwa_status kuka_iiwa_solve(const double T[16], const kuka_iiwa_params *p,
     const double reference[KUKA_IIWA_JOINTS], kuka_iiwa_solutions *out)
 {
     out->count = 0;
@@ -1060,16 +1065,16 @@ kuka_iiwa_status kuka_iiwa_solve(const double T[16], const kuka_iiwa_params *p,
     return out->status;
 }
 
-unsigned kuka_iiwa_family(unsigned free)
+KINSYM_FN unsigned kuka_iiwa_family(unsigned free)
 {
     unsigned moving = free;
     moving |= (free & 16u) == 16u ? 80u : 0u;
     return moving;
 }
 
-int kuka_iiwa_within(const double T[16], const kuka_iiwa_params *p, const double reference[KUKA_IIWA_JOINTS],
-    const double lower[KUKA_IIWA_JOINTS], const double upper[KUKA_IIWA_JOINTS], int capacity,
-    double q[][KUKA_IIWA_JOINTS], kuka_iiwa_mark marks[])
+KINSYM_FN int kuka_iiwa_within(const double T[16], const kuka_iiwa_params *p,
+    const double reference[KUKA_IIWA_JOINTS], const double lower[KUKA_IIWA_JOINTS],
+    const double upper[KUKA_IIWA_JOINTS], int capacity, double q[][KUKA_IIWA_JOINTS], kuka_iiwa_mark marks[])
 {
     const double *low = lower == NULL ? kuka_iiwa_lower : lower;
     const double *high = upper == NULL ? kuka_iiwa_upper : upper;
@@ -1112,7 +1117,7 @@ int kuka_iiwa_within(const double T[16], const kuka_iiwa_params *p, const double
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-kuka_iiwa_status kuka_iiwa_nearest(const double T[16], const kuka_iiwa_params *p,
+KINSYM_FN kuka_iiwa_status kuka_iiwa_nearest(const double T[16], const kuka_iiwa_params *p,
     const double reference[KUKA_IIWA_JOINTS], const double weights[KUKA_IIWA_JOINTS],
     const double lower[KUKA_IIWA_JOINTS], const double upper[KUKA_IIWA_JOINTS], double q[KUKA_IIWA_JOINTS])
 {
@@ -1175,7 +1180,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -1193,18 +1198,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const kuka_iiwa_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const kuka_iiwa_params *p, int path, lane_block *block)
 {
     const double d1 = p->d1;
     const double d3 = p->d3;
@@ -1294,7 +1299,7 @@ static void fk_block(const kuka_iiwa_params *p, int path, lane_block *block)
     }
 }
 
-void kuka_iiwa_fk_batch(const double q[], int n, const kuka_iiwa_params *p, double T[])
+KINSYM_FN void kuka_iiwa_fk_batch(const double q[], int n, const kuka_iiwa_params *p, double T[])
 {
     if (p == NULL) {
         p = &kuka_iiwa_defaults;
@@ -1328,13 +1333,13 @@ void kuka_iiwa_fk_batch(const double q[], int n, const kuka_iiwa_params *p, doub
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* The angle with d*cos = x and d*sin = y. */
-static inline void lane_quotient(double x, double y, double d, double t, double *c, double *s, double *marked)
+KINSYM_FN static inline void lane_quotient(double x, double y, double d, double t, double *c, double *s, double *marked)
 {
     const double r = sqrt(x * x + y * y);
     const double per_r = 1.0 / (d < 0.0 ? -r : r);
@@ -1344,7 +1349,7 @@ static inline void lane_quotient(double x, double y, double d, double t, double 
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart. */
-static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
 {
     const double r = sqrt(a * a + b * b);
     const double per_r = 1.0 / r;
@@ -1357,7 +1362,8 @@ static inline double lane_homogeneous(double a, double b, double t, double c[2],
 }
 
 /* The two angles with a*cos + b*sin = e. */
-static inline double lane_linear(double a, double b, double e, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_linear(double a, double b, double e, double t, double c[2], double s[2],
+    double *marked)
 {
     const double rr = a * a + b * b;
     const double r = sqrt(rr);
@@ -1376,7 +1382,7 @@ static inline double lane_linear(double a, double b, double e, double t, double 
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -1417,7 +1423,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* What the solver knows of the locked joints of one lane; without a value there is nothing to solve. */
-static void give_lane(const kuka_iiwa_params *p, int k, lane_block *block)
+KINSYM_FN static void give_lane(const kuka_iiwa_params *p, int k, lane_block *block)
 {
     const double theta3 = p->theta3;
     const double c3 = cos(theta3);
@@ -1429,7 +1435,7 @@ static void give_lane(const kuka_iiwa_params *p, int k, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const kuka_iiwa_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const kuka_iiwa_params *p, lane_block *block)
 {
     const double d1 = p->d1;
     const double d3 = p->d3;
@@ -1572,7 +1578,7 @@ static void solve_block(const kuka_iiwa_params *p, lane_block *block)
     }
 }
 
-int kuka_iiwa_ik_batch(const double T[], int n, const kuka_iiwa_params *p,
+KINSYM_FN int kuka_iiwa_ik_batch(const double T[], int n, const kuka_iiwa_params *p,
     const double reference[KUKA_IIWA_JOINTS], const double theta3_values[], double q[][KUKA_IIWA_JOINTS],
     int counts[])
 {
@@ -1616,3 +1622,7 @@ int kuka_iiwa_ik_batch(const double T[], int n, const kuka_iiwa_params *p,
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

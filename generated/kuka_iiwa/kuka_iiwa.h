@@ -35,9 +35,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If KUKA_IIWA_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes kuka_iiwa.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef KUKA_IIWA_H
 #define KUKA_IIWA_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -71,13 +90,13 @@ typedef struct kuka_iiwa_params {
 
 /* The values of the table; they are taken where a function is given p = NULL. Locked joints have none (NaN), so the
  * inverse kinematics needs a copy in which they are set. */
-extern const kuka_iiwa_params kuka_iiwa_defaults;
+extern KINSYM_DATA const kuka_iiwa_params kuka_iiwa_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void kuka_iiwa_fk(const double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params *p, double T[16]);
+KINSYM_FN void kuka_iiwa_fk(const double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params *p, double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void kuka_iiwa_jacobian(const double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params *p,
+KINSYM_FN void kuka_iiwa_jacobian(const double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params *p,
     double J[6 * KUKA_IIWA_JOINTS]);
 
 /*
@@ -102,12 +121,12 @@ void kuka_iiwa_jacobian(const double q[KUKA_IIWA_JOINTS], const kuka_iiwa_params
  * or if one of these vanishes, which the equations take for granted: d3, d5.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int kuka_iiwa_ik(const double T[16], const kuka_iiwa_params *p, double q[][KUKA_IIWA_JOINTS]);
+KINSYM_FN int kuka_iiwa_ik(const double T[16], const kuka_iiwa_params *p, double q[][KUKA_IIWA_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int kuka_iiwa_ik_near(const double T[16], const kuka_iiwa_params *p, const double reference[KUKA_IIWA_JOINTS],
-    double q[][KUKA_IIWA_JOINTS]);
+KINSYM_FN int kuka_iiwa_ik_near(const double T[16], const kuka_iiwa_params *p,
+    const double reference[KUKA_IIWA_JOINTS], double q[][KUKA_IIWA_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
  * KUKA_IIWA_MAX_SOLUTIONS - 1,
@@ -118,7 +137,7 @@ typedef struct kuka_iiwa_mark {
 } kuka_iiwa_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int kuka_iiwa_ik_marked(const double T[16], const kuka_iiwa_params *p,
+KINSYM_FN int kuka_iiwa_ik_marked(const double T[16], const kuka_iiwa_params *p,
     const double reference[KUKA_IIWA_JOINTS], double q[][KUKA_IIWA_JOINTS], kuka_iiwa_mark marks[]);
 
 /* The names of the branches by their number:
@@ -139,7 +158,8 @@ int kuka_iiwa_ik_marked(const double T[16], const kuka_iiwa_params *p,
 extern const char *const kuka_iiwa_branches[KUKA_IIWA_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double kuka_iiwa_lower[KUKA_IIWA_JOINTS], kuka_iiwa_upper[KUKA_IIWA_JOINTS];
+extern KINSYM_DATA const double kuka_iiwa_lower[KUKA_IIWA_JOINTS];
+extern KINSYM_DATA const double kuka_iiwa_upper[KUKA_IIWA_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct kuka_iiwa_solutions {
@@ -150,12 +170,12 @@ typedef struct kuka_iiwa_solutions {
 } kuka_iiwa_solutions;
 
 /* ik_marked with a status, which is returned as well; KUKA_IIWA_BAD_REFERENCE if the reference is not finite. */
-kuka_iiwa_status kuka_iiwa_solve(const double T[16], const kuka_iiwa_params *p,
+KINSYM_FN kuka_iiwa_status kuka_iiwa_solve(const double T[16], const kuka_iiwa_params *p,
     const double reference[KUKA_IIWA_JOINTS], kuka_iiwa_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned kuka_iiwa_family(unsigned free);
+KINSYM_FN unsigned kuka_iiwa_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of the joints solved for that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -163,22 +183,22 @@ unsigned kuka_iiwa_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * KUKA_IIWA_BAD_LIMIT if limits are no interval. */
-int kuka_iiwa_within(const double T[16], const kuka_iiwa_params *p, const double reference[KUKA_IIWA_JOINTS],
-    const double lower[KUKA_IIWA_JOINTS], const double upper[KUKA_IIWA_JOINTS], int capacity,
-    double q[][KUKA_IIWA_JOINTS], kuka_iiwa_mark marks[]);
+KINSYM_FN int kuka_iiwa_within(const double T[16], const kuka_iiwa_params *p,
+    const double reference[KUKA_IIWA_JOINTS], const double lower[KUKA_IIWA_JOINTS],
+    const double upper[KUKA_IIWA_JOINTS], int capacity, double q[][KUKA_IIWA_JOINTS], kuka_iiwa_mark marks[]);
 
 /* The solution nearest to a reference: least is the sum of weights (NULL: 1) times squared differences, over all
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. KUKA_IIWA_BAD_WEIGHT if a weight is negative or not finite. */
-kuka_iiwa_status kuka_iiwa_nearest(const double T[16], const kuka_iiwa_params *p,
+KINSYM_FN kuka_iiwa_status kuka_iiwa_nearest(const double T[16], const kuka_iiwa_params *p,
     const double reference[KUKA_IIWA_JOINTS], const double weights[KUKA_IIWA_JOINTS],
     const double lower[KUKA_IIWA_JOINTS], const double upper[KUKA_IIWA_JOINTS], double q[KUKA_IIWA_JOINTS]);
 
 /* Forward kinematics of n joint vectors: q has KUKA_IIWA_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void kuka_iiwa_fk_batch(const double q[], int n, const kuka_iiwa_params *p, double T[]);
+KINSYM_FN void kuka_iiwa_fk_batch(const double q[], int n, const kuka_iiwa_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -192,7 +212,7 @@ void kuka_iiwa_fk_batch(const double q[], int n, const kuka_iiwa_params *p, doub
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 60 kB of stack are used. */
-int kuka_iiwa_ik_batch(const double T[], int n, const kuka_iiwa_params *p,
+KINSYM_FN int kuka_iiwa_ik_batch(const double T[], int n, const kuka_iiwa_params *p,
     const double reference[KUKA_IIWA_JOINTS], const double theta3_values[], double q[][KUKA_IIWA_JOINTS],
     int counts[]);
 
@@ -200,7 +220,7 @@ int kuka_iiwa_ik_batch(const double T[], int n, const kuka_iiwa_params *p,
  * k * KUKA_IIWA_MAX_SOLUTIONS on
  * (q needs room for so many of each value), and counts[k] is their number. Returns the sum of the numbers, or what ik
  * returns where it is negative. */
-int kuka_iiwa_ik_sweep_theta3(const double T[16], const kuka_iiwa_params *p,
+KINSYM_FN int kuka_iiwa_ik_sweep_theta3(const double T[16], const kuka_iiwa_params *p,
     const double reference[KUKA_IIWA_JOINTS], const double values[], int steps, double q[][KUKA_IIWA_JOINTS],
     int counts[]);
 

@@ -32,9 +32,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If KUKA_KR6_R900_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes kuka_kr6_r900.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef KUKA_KR6_R900_H
 #define KUKA_KR6_R900_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -67,13 +86,14 @@ typedef struct kuka_kr6_r900_params {
 } kuka_kr6_r900_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const kuka_kr6_r900_params kuka_kr6_r900_defaults;
+extern KINSYM_DATA const kuka_kr6_r900_params kuka_kr6_r900_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void kuka_kr6_r900_fk(const double q[KUKA_KR6_R900_JOINTS], const kuka_kr6_r900_params *p, double T[16]);
+KINSYM_FN void kuka_kr6_r900_fk(const double q[KUKA_KR6_R900_JOINTS], const kuka_kr6_r900_params *p,
+    double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void kuka_kr6_r900_jacobian(const double q[KUKA_KR6_R900_JOINTS], const kuka_kr6_r900_params *p,
+KINSYM_FN void kuka_kr6_r900_jacobian(const double q[KUKA_KR6_R900_JOINTS], const kuka_kr6_r900_params *p,
     double J[6 * KUKA_KR6_R900_JOINTS]);
 
 /*
@@ -99,11 +119,12 @@ void kuka_kr6_r900_jacobian(const double q[KUKA_KR6_R900_JOINTS], const kuka_kr6
  * or if one of these vanishes, which the equations take for granted: a2.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int kuka_kr6_r900_ik(const double T[16], const kuka_kr6_r900_params *p, double q[][KUKA_KR6_R900_JOINTS]);
+KINSYM_FN int kuka_kr6_r900_ik(const double T[16], const kuka_kr6_r900_params *p,
+    double q[][KUKA_KR6_R900_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int kuka_kr6_r900_ik_near(const double T[16], const kuka_kr6_r900_params *p,
+KINSYM_FN int kuka_kr6_r900_ik_near(const double T[16], const kuka_kr6_r900_params *p,
     const double reference[KUKA_KR6_R900_JOINTS], double q[][KUKA_KR6_R900_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -115,7 +136,7 @@ typedef struct kuka_kr6_r900_mark {
 } kuka_kr6_r900_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int kuka_kr6_r900_ik_marked(const double T[16], const kuka_kr6_r900_params *p,
+KINSYM_FN int kuka_kr6_r900_ik_marked(const double T[16], const kuka_kr6_r900_params *p,
     const double reference[KUKA_KR6_R900_JOINTS], double q[][KUKA_KR6_R900_JOINTS],
     kuka_kr6_r900_mark marks[]);
 
@@ -138,7 +159,8 @@ int kuka_kr6_r900_ik_marked(const double T[16], const kuka_kr6_r900_params *p,
 extern const char *const kuka_kr6_r900_branches[KUKA_KR6_R900_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double kuka_kr6_r900_lower[KUKA_KR6_R900_JOINTS], kuka_kr6_r900_upper[KUKA_KR6_R900_JOINTS];
+extern KINSYM_DATA const double kuka_kr6_r900_lower[KUKA_KR6_R900_JOINTS];
+extern KINSYM_DATA const double kuka_kr6_r900_upper[KUKA_KR6_R900_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct kuka_kr6_r900_solutions {
@@ -149,12 +171,12 @@ typedef struct kuka_kr6_r900_solutions {
 } kuka_kr6_r900_solutions;
 
 /* ik_marked with a status, which is returned as well; KUKA_KR6_R900_BAD_REFERENCE if the reference is not finite. */
-kuka_kr6_r900_status kuka_kr6_r900_solve(const double T[16], const kuka_kr6_r900_params *p,
+KINSYM_FN kuka_kr6_r900_status kuka_kr6_r900_solve(const double T[16], const kuka_kr6_r900_params *p,
     const double reference[KUKA_KR6_R900_JOINTS], kuka_kr6_r900_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned kuka_kr6_r900_family(unsigned free);
+KINSYM_FN unsigned kuka_kr6_r900_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -162,7 +184,7 @@ unsigned kuka_kr6_r900_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * KUKA_KR6_R900_BAD_LIMIT if limits are no interval. */
-int kuka_kr6_r900_within(const double T[16], const kuka_kr6_r900_params *p,
+KINSYM_FN int kuka_kr6_r900_within(const double T[16], const kuka_kr6_r900_params *p,
     const double reference[KUKA_KR6_R900_JOINTS], const double lower[KUKA_KR6_R900_JOINTS],
     const double upper[KUKA_KR6_R900_JOINTS], int capacity, double q[][KUKA_KR6_R900_JOINTS],
     kuka_kr6_r900_mark marks[]);
@@ -171,7 +193,7 @@ int kuka_kr6_r900_within(const double T[16], const kuka_kr6_r900_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. KUKA_KR6_R900_BAD_WEIGHT if a weight is negative or not finite. */
-kuka_kr6_r900_status kuka_kr6_r900_nearest(const double T[16], const kuka_kr6_r900_params *p,
+KINSYM_FN kuka_kr6_r900_status kuka_kr6_r900_nearest(const double T[16], const kuka_kr6_r900_params *p,
     const double reference[KUKA_KR6_R900_JOINTS], const double weights[KUKA_KR6_R900_JOINTS],
     const double lower[KUKA_KR6_R900_JOINTS], const double upper[KUKA_KR6_R900_JOINTS],
     double q[KUKA_KR6_R900_JOINTS]);
@@ -179,7 +201,7 @@ kuka_kr6_r900_status kuka_kr6_r900_nearest(const double T[16], const kuka_kr6_r9
 /* Forward kinematics of n joint vectors: q has KUKA_KR6_R900_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void kuka_kr6_r900_fk_batch(const double q[], int n, const kuka_kr6_r900_params *p, double T[]);
+KINSYM_FN void kuka_kr6_r900_fk_batch(const double q[], int n, const kuka_kr6_r900_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -192,7 +214,7 @@ void kuka_kr6_r900_fk_batch(const double q[], int n, const kuka_kr6_r900_params 
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 60 kB of stack are used. */
-int kuka_kr6_r900_ik_batch(const double T[], int n, const kuka_kr6_r900_params *p,
+KINSYM_FN int kuka_kr6_r900_ik_batch(const double T[], int n, const kuka_kr6_r900_params *p,
     const double reference[KUKA_KR6_R900_JOINTS], double q[][KUKA_KR6_R900_JOINTS], int counts[]);
 
 #ifdef __cplusplus

@@ -30,9 +30,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If KUKA_YOUBOT_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes kuka_youbot.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef KUKA_YOUBOT_H
 #define KUKA_YOUBOT_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -64,13 +83,13 @@ typedef struct kuka_youbot_params {
 } kuka_youbot_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const kuka_youbot_params kuka_youbot_defaults;
+extern KINSYM_DATA const kuka_youbot_params kuka_youbot_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void kuka_youbot_fk(const double q[KUKA_YOUBOT_JOINTS], const kuka_youbot_params *p, double T[16]);
+KINSYM_FN void kuka_youbot_fk(const double q[KUKA_YOUBOT_JOINTS], const kuka_youbot_params *p, double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void kuka_youbot_jacobian(const double q[KUKA_YOUBOT_JOINTS], const kuka_youbot_params *p,
+KINSYM_FN void kuka_youbot_jacobian(const double q[KUKA_YOUBOT_JOINTS], const kuka_youbot_params *p,
     double J[6 * KUKA_YOUBOT_JOINTS]);
 
 /*
@@ -95,11 +114,11 @@ void kuka_youbot_jacobian(const double q[KUKA_YOUBOT_JOINTS], const kuka_youbot_
  * or if one of these vanishes, which the equations take for granted: a2, a3.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int kuka_youbot_ik(const double T[16], const kuka_youbot_params *p, double q[][KUKA_YOUBOT_JOINTS]);
+KINSYM_FN int kuka_youbot_ik(const double T[16], const kuka_youbot_params *p, double q[][KUKA_YOUBOT_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int kuka_youbot_ik_near(const double T[16], const kuka_youbot_params *p,
+KINSYM_FN int kuka_youbot_ik_near(const double T[16], const kuka_youbot_params *p,
     const double reference[KUKA_YOUBOT_JOINTS], double q[][KUKA_YOUBOT_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -111,7 +130,7 @@ typedef struct kuka_youbot_mark {
 } kuka_youbot_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int kuka_youbot_ik_marked(const double T[16], const kuka_youbot_params *p,
+KINSYM_FN int kuka_youbot_ik_marked(const double T[16], const kuka_youbot_params *p,
     const double reference[KUKA_YOUBOT_JOINTS], double q[][KUKA_YOUBOT_JOINTS], kuka_youbot_mark marks[]);
 
 /* The names of the branches by their number:
@@ -125,7 +144,8 @@ int kuka_youbot_ik_marked(const double T[16], const kuka_youbot_params *p,
 extern const char *const kuka_youbot_branches[KUKA_YOUBOT_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double kuka_youbot_lower[KUKA_YOUBOT_JOINTS], kuka_youbot_upper[KUKA_YOUBOT_JOINTS];
+extern KINSYM_DATA const double kuka_youbot_lower[KUKA_YOUBOT_JOINTS];
+extern KINSYM_DATA const double kuka_youbot_upper[KUKA_YOUBOT_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct kuka_youbot_solutions {
@@ -136,12 +156,12 @@ typedef struct kuka_youbot_solutions {
 } kuka_youbot_solutions;
 
 /* ik_marked with a status, which is returned as well; KUKA_YOUBOT_BAD_REFERENCE if the reference is not finite. */
-kuka_youbot_status kuka_youbot_solve(const double T[16], const kuka_youbot_params *p,
+KINSYM_FN kuka_youbot_status kuka_youbot_solve(const double T[16], const kuka_youbot_params *p,
     const double reference[KUKA_YOUBOT_JOINTS], kuka_youbot_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned kuka_youbot_family(unsigned free);
+KINSYM_FN unsigned kuka_youbot_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -149,7 +169,7 @@ unsigned kuka_youbot_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * KUKA_YOUBOT_BAD_LIMIT if limits are no interval. */
-int kuka_youbot_within(const double T[16], const kuka_youbot_params *p,
+KINSYM_FN int kuka_youbot_within(const double T[16], const kuka_youbot_params *p,
     const double reference[KUKA_YOUBOT_JOINTS], const double lower[KUKA_YOUBOT_JOINTS],
     const double upper[KUKA_YOUBOT_JOINTS], int capacity, double q[][KUKA_YOUBOT_JOINTS],
     kuka_youbot_mark marks[]);
@@ -158,7 +178,7 @@ int kuka_youbot_within(const double T[16], const kuka_youbot_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. KUKA_YOUBOT_BAD_WEIGHT if a weight is negative or not finite. */
-kuka_youbot_status kuka_youbot_nearest(const double T[16], const kuka_youbot_params *p,
+KINSYM_FN kuka_youbot_status kuka_youbot_nearest(const double T[16], const kuka_youbot_params *p,
     const double reference[KUKA_YOUBOT_JOINTS], const double weights[KUKA_YOUBOT_JOINTS],
     const double lower[KUKA_YOUBOT_JOINTS], const double upper[KUKA_YOUBOT_JOINTS],
     double q[KUKA_YOUBOT_JOINTS]);
@@ -166,7 +186,7 @@ kuka_youbot_status kuka_youbot_nearest(const double T[16], const kuka_youbot_par
 /* Forward kinematics of n joint vectors: q has KUKA_YOUBOT_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void kuka_youbot_fk_batch(const double q[], int n, const kuka_youbot_params *p, double T[]);
+KINSYM_FN void kuka_youbot_fk_batch(const double q[], int n, const kuka_youbot_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -179,7 +199,7 @@ void kuka_youbot_fk_batch(const double q[], int n, const kuka_youbot_params *p, 
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 30 kB of stack are used. */
-int kuka_youbot_ik_batch(const double T[], int n, const kuka_youbot_params *p,
+KINSYM_FN int kuka_youbot_ik_batch(const double T[], int n, const kuka_youbot_params *p,
     const double reference[KUKA_YOUBOT_JOINTS], double q[][KUKA_YOUBOT_JOINTS], int counts[]);
 
 #ifdef __cplusplus

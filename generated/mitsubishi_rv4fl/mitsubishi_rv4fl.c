@@ -25,15 +25,16 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
 double sqrt(double) __attribute__((const)); /* the library's own declaration lets it write errno */
 #endif
 
-const mitsubishi_rv4fl_params mitsubishi_rv4fl_defaults = {
+KINSYM_DATA const mitsubishi_rv4fl_params mitsubishi_rv4fl_defaults = {
     0.35, /* d1 */
     0.31, /* a2 */
     0.05, /* a3 */
@@ -44,7 +45,7 @@ const mitsubishi_rv4fl_params mitsubishi_rv4fl_defaults = {
 #ifdef MITSUBISHI_RV4FL_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -56,7 +57,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -93,7 +94,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -101,28 +103,28 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The angle half a turn away, in (-pi, pi]; what is too small to be seen beside pi counts as 0. */
-static inline double half_turn(double angle)
+KINSYM_FN static inline double half_turn(double angle)
 {
     const double pi = 3.141592653589793;
     return angle + (angle > 2.220446049250313e-16 ? -pi : pi);
 }
 
 /* The opposite angle in (-pi, pi]. */
-static inline double opposite(double angle)
+KINSYM_FN static inline double opposite(double angle)
 {
     const double pi = 3.141592653589793;
     return angle < pi ? -angle : angle;
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void mitsubishi_rv4fl_fk(const double q[MITSUBISHI_RV4FL_JOINTS], const mitsubishi_rv4fl_params *p,
+KINSYM_FN void mitsubishi_rv4fl_fk(const double q[MITSUBISHI_RV4FL_JOINTS], const mitsubishi_rv4fl_params *p,
     double T[16])
 {
     if (p == NULL) {
@@ -172,9 +174,9 @@ void mitsubishi_rv4fl_fk(const double q[MITSUBISHI_RV4FL_JOINTS], const mitsubis
     const double v16_y = c23 * v46_y + s23 * v36_x;
     const double w16_x = c23 * w36_x + s23 * c5;
     const double w16_y = s23 * w36_x - c23 * c5;
-    const double sum1 = a3 - p36_x;
-    const double p16_x = a2 * s2 - c23 * sum1 + s23 * p36_z;
-    const double p16_y = -s23 * sum1 - a2 * c2 - c23 * p36_z;
+    const double sum1 = p36_x - a3;
+    const double p16_x = a2 * s2 + c23 * sum1 + s23 * p36_z;
+    const double p16_y = s23 * sum1 - a2 * c2 - c23 * p36_z;
 
     T[0] = c1 * u16_x - s1 * u36_y;
     T[1] = c1 * v16_x - s1 * v36_y;
@@ -194,8 +196,8 @@ void mitsubishi_rv4fl_fk(const double q[MITSUBISHI_RV4FL_JOINTS], const mitsubis
     T[15] = 1.0;
 }
 
-void mitsubishi_rv4fl_jacobian(const double q[MITSUBISHI_RV4FL_JOINTS], const mitsubishi_rv4fl_params *p,
-    double J[6 * MITSUBISHI_RV4FL_JOINTS])
+KINSYM_FN void mitsubishi_rv4fl_jacobian(const double q[MITSUBISHI_RV4FL_JOINTS],
+    const mitsubishi_rv4fl_params *p, double J[6 * MITSUBISHI_RV4FL_JOINTS])
 {
     if (p == NULL) {
         p = &mitsubishi_rv4fl_defaults;
@@ -220,21 +222,21 @@ void mitsubishi_rv4fl_jacobian(const double q[MITSUBISHI_RV4FL_JOINTS], const mi
     const double s4 = sin(theta4);
     const double c5 = cos(theta5);
     const double s5 = sin(theta5);
-    const double product7 = c5 * d6;
-    const double sum7 = d4 + product7;
-    const double product2 = c4 * s5;
-    const double product6 = d6 * product2;
-    const double sum6 = a3 - product6;
+    const double product6 = d6 * c5;
+    const double sum7 = product6 + d4;
     const double product1 = a2 * s2;
-    const double sum8 = c23 * sum6 - product1;
-    const double sum9 = s23 * sum7 - sum8;
-    const double product3 = s4 * s5;
-    const double product8 = d6 * product3;
-    const double oE_x = c1 * sum9 - product8 * s1;
-    const double oE_y = product8 * c1 + s1 * sum9;
+    const double product2 = c4 * s5;
+    const double product7 = d6 * product2;
+    const double sum6 = product7 - a3;
+    const double sum8 = product1 + c23 * sum6;
+    const double sum17 = s23 * sum7 + sum8;
+    const double product3 = s5 * s4;
+    const double product13 = d6 * product3;
+    const double oE_x = c1 * sum17 - product13 * s1;
+    const double oE_y = product13 * c1 + s1 * sum17;
     const double product4 = a2 * c2;
-    const double sum1 = d1 + product4;
-    const double oE_z = sum1 + c23 * sum7 + s23 * sum6;
+    const double sum1 = product4 + d1;
+    const double oE_z = sum1 + c23 * sum7 - s23 * sum6;
     const double o3_x = product1 * c1;
     const double o3_y = product1 * s1;
     const double o3_z = sum1;
@@ -244,51 +246,51 @@ void mitsubishi_rv4fl_jacobian(const double q[MITSUBISHI_RV4FL_JOINTS], const mi
     const double sum2 = product1 - product5;
     const double o4_x = c1 * sum2;
     const double o4_y = s1 * sum2;
-    const double product9 = a3 * s23;
-    const double sum10 = product9 + sum1;
-    const double o4_z = sum10;
-    const double product10 = c23 * s4;
-    const double z5_x = -product10 * c1 - s1 * c4;
-    const double z5_y = c1 * c4 - product10 * s1;
+    const double product8 = a3 * s23;
+    const double sum15 = product8 + sum1;
+    const double o4_z = sum15;
+    const double product9 = c23 * s4;
+    const double z5_x = -product9 * c1 - s1 * c4;
+    const double z5_y = c1 * c4 - product9 * s1;
     const double z5_z = s23 * s4;
-    const double product11 = d4 * s23;
-    const double sum11 = product11 + sum2;
-    const double o5_x = c1 * sum11;
-    const double o5_y = s1 * sum11;
-    const double o5_z = sum10 + d4 * c23;
+    const double product10 = s23 * d4;
+    const double sum16 = product10 + sum2;
+    const double o5_x = c1 * sum16;
+    const double o5_y = s1 * sum16;
+    const double o5_z = sum15 + d4 * c23;
     const double product12 = c23 * product2;
-    const double product13 = c5 * s23;
-    const double sum12 = product12 + product13;
-    const double z6_x = c1 * sum12 - product3 * s1;
-    const double z6_y = product3 * c1 + s1 * sum12;
+    const double product11 = c5 * s23;
+    const double sum9 = product12 + product11;
+    const double z6_x = c1 * sum9 - product3 * s1;
+    const double z6_y = product3 * c1 + s1 * sum9;
     const double z6_z = c23 * c5 - product2 * s23;
-    const double sum3 = o5_z - oE_z;
-    const double sum4 = o5_y - oE_y;
-    const double sum5 = o5_x - oE_x;
-    const double sum13 = d1 - oE_z;
-    const double sum14 = o3_z - oE_z;
-    const double sum15 = o4_z - oE_z;
-    const double sum16 = o4_y - oE_y;
-    const double sum17 = o4_x - oE_x;
+    const double sum3 = oE_z - o5_z;
+    const double sum4 = oE_y - o5_y;
+    const double sum5 = oE_x - o5_x;
+    const double sum10 = d1 - oE_z;
+    const double sum11 = oE_z - o3_z;
+    const double sum12 = oE_z - o4_z;
+    const double sum13 = oE_y - o4_y;
+    const double sum14 = oE_x - o4_x;
 
     J[0] = -oE_y;
-    J[1] = -c1 * sum13;
-    J[2] = -c1 * sum14;
-    J[3] = -z4_y * sum15 + c23 * sum16;
-    J[4] = -z5_y * sum3 + z5_z * sum4;
-    J[5] = -z6_y * sum3 + z6_z * sum4;
+    J[1] = -c1 * sum10;
+    J[2] = c1 * sum11;
+    J[3] = z4_y * sum12 - c23 * sum13;
+    J[4] = z5_y * sum3 - z5_z * sum4;
+    J[5] = z6_y * sum3 - z6_z * sum4;
     J[6] = oE_x;
-    J[7] = -s1 * sum13;
-    J[8] = -s1 * sum14;
-    J[9] = -c23 * sum17 + z4_x * sum15;
-    J[10] = -z5_z * sum5 + z5_x * sum3;
-    J[11] = -z6_z * sum5 + z6_x * sum3;
+    J[7] = -s1 * sum10;
+    J[8] = s1 * sum11;
+    J[9] = c23 * sum14 - z4_x * sum12;
+    J[10] = z5_z * sum5 - z5_x * sum3;
+    J[11] = z6_z * sum5 - z6_x * sum3;
     J[12] = 0.0;
     J[13] = -s1 * oE_y - c1 * oE_x;
     J[14] = -s1 * (oE_y - o3_y) - c1 * (oE_x - o3_x);
-    J[15] = -z4_x * sum16 + z4_y * sum17;
-    J[16] = -z5_x * sum4 + z5_y * sum5;
-    J[17] = -z6_x * sum4 + z6_y * sum5;
+    J[15] = z4_x * sum13 - z4_y * sum14;
+    J[16] = z5_x * sum4 - z5_y * sum5;
+    J[17] = z6_x * sum4 - z6_y * sum5;
     J[18] = 0.0;
     J[19] = -s1;
     J[20] = -s1;
@@ -320,7 +322,8 @@ void mitsubishi_rv4fl_jacobian(const double q[MITSUBISHI_RV4FL_JOINTS], const mi
 #define NEAR 67108864.0
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2],
+    int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
@@ -341,8 +344,8 @@ static int solve_homogeneous(double a, double b, double t, double reference, dou
 /* Two links l1, l2 that reach (x, y). The second link has the components k along the first link and w across
  * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. Out of reach
  * there is none, but just out of it, or anywhere if loose, one in doubt. */
-static int solve_triangle(double x, double y, double l1, double l2, double t, int loose,
-                          double *k, double w[2], double *along, int mark[2])
+KINSYM_FN static int solve_triangle(double x, double y, double l1, double l2, double t, int loose, double *k,
+    double w[2], double *along, int mark[2])
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -371,8 +374,8 @@ static int solve_triangle(double x, double y, double l1, double l2, double t, in
 }
 
 /* The angle that turns (along, across) into the direction of (x, y); free if (x, y) vanishes. */
-static int solve_direction(double x, double y, double along, double across, double t, double reference,
-                           double *c, double *s)
+KINSYM_FN static int solve_direction(double x, double y, double along, double across, double t, double reference,
+    double *c, double *s)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -391,7 +394,7 @@ static int solve_direction(double x, double y, double along, double across, doub
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -432,7 +435,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -448,7 +451,7 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether nothing vanishes that the equations take for granted. */
-static int regular(const mitsubishi_rv4fl_params *p)
+KINSYM_FN static int regular(const mitsubishi_rv4fl_params *p)
 {
     const double d1 = p->d1;
     const double a2 = p->a2;
@@ -460,14 +463,14 @@ static int regular(const mitsubishi_rv4fl_params *p)
 }
 
 /* Whether every parameter has a finite value, and none one that this solver is not for. */
-static int usable(const mitsubishi_rv4fl_params *p)
+KINSYM_FN static int usable(const mitsubishi_rv4fl_params *p)
 {
     return isfinite(p->d1) && isfinite(p->a2) && isfinite(p->a3) && isfinite(p->d4) && isfinite(p->d6)
         && regular(p);
 }
 
 /* Whether all joint values are numbers; lengths near the limits of double precision can overflow on the way. */
-static int all_finite(const double q[MITSUBISHI_RV4FL_JOINTS])
+KINSYM_FN static int all_finite(const double q[MITSUBISHI_RV4FL_JOINTS])
 {
     for (int i = 0; i < MITSUBISHI_RV4FL_JOINTS; ++i) {
         if (!isfinite(q[i])) {
@@ -479,10 +482,10 @@ static int all_finite(const double q[MITSUBISHI_RV4FL_JOINTS])
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 12
-static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+static KINSYM_DATA const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[MITSUBISHI_RV4FL_JOINTS], const mitsubishi_rv4fl_params *p,
+KINSYM_FN static double distance(const double q[MITSUBISHI_RV4FL_JOINTS], const mitsubishi_rv4fl_params *p,
     const double M[12], double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
@@ -496,8 +499,8 @@ static double distance(const double q[MITSUBISHI_RV4FL_JOINTS], const mitsubishi
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[MITSUBISHI_RV4FL_JOINTS], const mitsubishi_rv4fl_params *p, double size,
-    double D[ENTRIES][MITSUBISHI_RV4FL_JOINTS])
+KINSYM_FN static void slopes(const double q[MITSUBISHI_RV4FL_JOINTS], const mitsubishi_rv4fl_params *p,
+    double size, double D[ENTRIES][MITSUBISHI_RV4FL_JOINTS])
 {
     double T[16], J[6 * MITSUBISHI_RV4FL_JOINTS];
     mitsubishi_rv4fl_fk(q, p, T);
@@ -515,8 +518,8 @@ static void slopes(const double q[MITSUBISHI_RV4FL_JOINTS], const mitsubishi_rv4
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][MITSUBISHI_RV4FL_JOINTS], const double e[ENTRIES], double damping,
-    double g[MITSUBISHI_RV4FL_JOINTS])
+KINSYM_FN static void step(double D[ENTRIES][MITSUBISHI_RV4FL_JOINTS], const double e[ENTRIES],
+    double damping, double g[MITSUBISHI_RV4FL_JOINTS])
 {
     double A[MITSUBISHI_RV4FL_JOINTS + 1][ENTRIES + MITSUBISHI_RV4FL_JOINTS];
     double R[MITSUBISHI_RV4FL_JOINTS][MITSUBISHI_RV4FL_JOINTS + 1];
@@ -548,8 +551,8 @@ static void step(double D[ENTRIES][MITSUBISHI_RV4FL_JOINTS], const double e[ENTR
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[MITSUBISHI_RV4FL_JOINTS], const mitsubishi_rv4fl_params *p, const double M[12],
-    double size)
+KINSYM_FN static double polish(double q[MITSUBISHI_RV4FL_JOINTS], const mitsubishi_rv4fl_params *p,
+    const double M[12], double size)
 {
     double e[ENTRIES], D[ENTRIES][MITSUBISHI_RV4FL_JOINTS], g[MITSUBISHI_RV4FL_JOINTS], trial[MITSUBISHI_RV4FL_JOINTS];
     double left = distance(q, p, M, size, e), caution = 1.0;
@@ -578,8 +581,9 @@ static double polish(double q[MITSUBISHI_RV4FL_JOINTS], const mitsubishi_rv4fl_p
  * Where two borders cross the distance is stationary, and a second start lies beside it. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
-static int settle(double q[][MITSUBISHI_RV4FL_JOINTS], mitsubishi_rv4fl_mark marks[], double alike[],
-    unsigned twin, int mark, const mitsubishi_rv4fl_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settle(double q[][MITSUBISHI_RV4FL_JOINTS], mitsubishi_rv4fl_mark marks[],
+    double alike[], unsigned twin, int mark, const mitsubishi_rv4fl_params *p, const double M[12], double tau,
+    double size)
 {
     double e[ENTRIES], start[MITSUBISHI_RV4FL_JOINTS], other[MITSUBISHI_RV4FL_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -623,8 +627,8 @@ static int settle(double q[][MITSUBISHI_RV4FL_JOINTS], mitsubishi_rv4fl_mark mar
 
 /* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
  * alike tells, and puts the rest in the order of their branches; returns how many are left. */
-static int tidied(double q[][MITSUBISHI_RV4FL_JOINTS], mitsubishi_rv4fl_mark marks[], const double alike[],
-    int count)
+KINSYM_FN static int tidied(double q[][MITSUBISHI_RV4FL_JOINTS], mitsubishi_rv4fl_mark marks[],
+    const double alike[], int count)
 {
     int kept = 0;
     for (int i = 0; i < count; ++i) {
@@ -660,8 +664,9 @@ static int tidied(double q[][MITSUBISHI_RV4FL_JOINTS], mitsubishi_rv4fl_mark mar
 }
 
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
-static int settled(double q[][MITSUBISHI_RV4FL_JOINTS], mitsubishi_rv4fl_mark marks[], const int found[],
-    int count, const mitsubishi_rv4fl_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settled(double q[][MITSUBISHI_RV4FL_JOINTS], mitsubishi_rv4fl_mark marks[],
+    const int found[], int count, const mitsubishi_rv4fl_params *p, const double M[12], double tau,
+    double size)
 {
     double given[MITSUBISHI_RV4FL_MAX_SOLUTIONS][MITSUBISHI_RV4FL_JOINTS];
     unsigned branches[MITSUBISHI_RV4FL_MAX_SOLUTIONS];
@@ -694,7 +699,7 @@ static int settled(double q[][MITSUBISHI_RV4FL_JOINTS], mitsubishi_rv4fl_mark ma
     return tidied(q, marks, alike, kept);
 }
 
-int mitsubishi_rv4fl_ik_marked(const double T[16], const mitsubishi_rv4fl_params *p,
+KINSYM_FN int mitsubishi_rv4fl_ik_marked(const double T[16], const mitsubishi_rv4fl_params *p,
     const double reference[MITSUBISHI_RV4FL_JOINTS], double q[][MITSUBISHI_RV4FL_JOINTS],
     mitsubishi_rv4fl_mark marks[])
 {
@@ -872,14 +877,14 @@ int mitsubishi_rv4fl_ik_marked(const double T[16], const mitsubishi_rv4fl_params
     return special ? settled(q, marks, found, count, p, M, tau, size) : count;
 }
 
-int mitsubishi_rv4fl_ik_near(const double T[16], const mitsubishi_rv4fl_params *p,
+KINSYM_FN int mitsubishi_rv4fl_ik_near(const double T[16], const mitsubishi_rv4fl_params *p,
     const double reference[MITSUBISHI_RV4FL_JOINTS], double q[][MITSUBISHI_RV4FL_JOINTS])
 {
     mitsubishi_rv4fl_mark marks[MITSUBISHI_RV4FL_MAX_SOLUTIONS];
     return mitsubishi_rv4fl_ik_marked(T, p, reference, q, marks);
 }
 
-int mitsubishi_rv4fl_ik(const double T[16], const mitsubishi_rv4fl_params *p,
+KINSYM_FN int mitsubishi_rv4fl_ik(const double T[16], const mitsubishi_rv4fl_params *p,
     double q[][MITSUBISHI_RV4FL_JOINTS])
 {
     return mitsubishi_rv4fl_ik_near(T, p, NULL, q);
@@ -896,20 +901,20 @@ const char *const mitsubishi_rv4fl_branches[MITSUBISHI_RV4FL_MAX_SOLUTIONS] = {
     "shoulder right, elbow down, wrist flipped",
 };
 
-const double mitsubishi_rv4fl_lower[MITSUBISHI_RV4FL_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
-    -HUGE_VAL, -HUGE_VAL};
-const double mitsubishi_rv4fl_upper[MITSUBISHI_RV4FL_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
-    HUGE_VAL, HUGE_VAL};
+KINSYM_DATA const double mitsubishi_rv4fl_lower[MITSUBISHI_RV4FL_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+    -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+KINSYM_DATA const double mitsubishi_rv4fl_upper[MITSUBISHI_RV4FL_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL,
+    HUGE_VAL, HUGE_VAL, HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "RRRRRR";
+static KINSYM_DATA const char kinds[] = "RRRRRR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[MITSUBISHI_RV4FL_JOINTS])
+KINSYM_FN static int are_numbers(const double x[MITSUBISHI_RV4FL_JOINTS])
 {
     for (int i = 0; x != NULL && i < MITSUBISHI_RV4FL_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -920,7 +925,7 @@ static int are_numbers(const double x[MITSUBISHI_RV4FL_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[MITSUBISHI_RV4FL_JOINTS], const double upper[MITSUBISHI_RV4FL_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[MITSUBISHI_RV4FL_JOINTS], const double upper[MITSUBISHI_RV4FL_JOINTS])
 {
     for (int i = 0; i < MITSUBISHI_RV4FL_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -931,7 +936,7 @@ static int all_intervals(const double lower[MITSUBISHI_RV4FL_JOINTS], const doub
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -939,18 +944,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static mitsubishi_rv4fl_status status_of(mitsubishi_rv4fl_mark special)
+KINSYM_FN static mitsubishi_rv4fl_status status_of(mitsubishi_rv4fl_mark special)
 {
     return special.free | special.border ? MITSUBISHI_RV4FL_SINGULAR : MITSUBISHI_RV4FL_SOLVED;
 }
 
-mitsubishi_rv4fl_status mitsubishi_rv4fl_solve(const double T[16], const mitsubishi_rv4fl_params *p,
+KINSYM_FN mitsubishi_rv4fl_status mitsubishi_rv4fl_solve(const double T[16], const mitsubishi_rv4fl_params *p,
     const double reference[MITSUBISHI_RV4FL_JOINTS], mitsubishi_rv4fl_solutions *out)
 {
     out->count = 0;
@@ -974,7 +979,7 @@ mitsubishi_rv4fl_status mitsubishi_rv4fl_solve(const double T[16], const mitsubi
     return out->status;
 }
 
-unsigned mitsubishi_rv4fl_family(unsigned free)
+KINSYM_FN unsigned mitsubishi_rv4fl_family(unsigned free)
 {
     unsigned moving = free;
     moving |= (free & 8u) == 8u ? 40u : 0u;
@@ -982,7 +987,7 @@ unsigned mitsubishi_rv4fl_family(unsigned free)
     return moving;
 }
 
-int mitsubishi_rv4fl_within(const double T[16], const mitsubishi_rv4fl_params *p,
+KINSYM_FN int mitsubishi_rv4fl_within(const double T[16], const mitsubishi_rv4fl_params *p,
     const double reference[MITSUBISHI_RV4FL_JOINTS], const double lower[MITSUBISHI_RV4FL_JOINTS],
     const double upper[MITSUBISHI_RV4FL_JOINTS], int capacity, double q[][MITSUBISHI_RV4FL_JOINTS],
     mitsubishi_rv4fl_mark marks[])
@@ -1028,10 +1033,10 @@ int mitsubishi_rv4fl_within(const double T[16], const mitsubishi_rv4fl_params *p
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-mitsubishi_rv4fl_status mitsubishi_rv4fl_nearest(const double T[16], const mitsubishi_rv4fl_params *p,
-    const double reference[MITSUBISHI_RV4FL_JOINTS], const double weights[MITSUBISHI_RV4FL_JOINTS],
-    const double lower[MITSUBISHI_RV4FL_JOINTS], const double upper[MITSUBISHI_RV4FL_JOINTS],
-    double q[MITSUBISHI_RV4FL_JOINTS])
+KINSYM_FN mitsubishi_rv4fl_status mitsubishi_rv4fl_nearest(const double T[16],
+    const mitsubishi_rv4fl_params *p, const double reference[MITSUBISHI_RV4FL_JOINTS],
+    const double weights[MITSUBISHI_RV4FL_JOINTS], const double lower[MITSUBISHI_RV4FL_JOINTS],
+    const double upper[MITSUBISHI_RV4FL_JOINTS], double q[MITSUBISHI_RV4FL_JOINTS])
 {
     const double *low = lower == NULL ? mitsubishi_rv4fl_lower : lower;
     const double *high = upper == NULL ? mitsubishi_rv4fl_upper : upper;
@@ -1091,7 +1096,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -1109,18 +1114,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const mitsubishi_rv4fl_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const mitsubishi_rv4fl_params *p, int path, lane_block *block)
 {
     const double d1 = p->d1;
     const double a2 = p->a2;
@@ -1174,9 +1179,9 @@ static void fk_block(const mitsubishi_rv4fl_params *p, int path, lane_block *blo
         const double v16_y = c23 * v46_y + s23 * v36_x;
         const double w16_x = c23 * w36_x + s23 * c5;
         const double w16_y = s23 * w36_x - c23 * c5;
-        const double sum1 = a3 - p36_x;
-        const double p16_x = a2 * s2 - c23 * sum1 + s23 * p36_z;
-        const double p16_y = -s23 * sum1 - a2 * c2 - c23 * p36_z;
+        const double sum1 = p36_x - a3;
+        const double p16_x = a2 * s2 + c23 * sum1 + s23 * p36_z;
+        const double p16_y = s23 * sum1 - a2 * c2 - c23 * p36_z;
         block->T[0][k] = c1 * u16_x - s1 * u36_y;
         block->T[1][k] = c1 * v16_x - s1 * v36_y;
         block->T[2][k] = c1 * w16_x - s1 * w36_y;
@@ -1192,7 +1197,8 @@ static void fk_block(const mitsubishi_rv4fl_params *p, int path, lane_block *blo
     }
 }
 
-void mitsubishi_rv4fl_fk_batch(const double q[], int n, const mitsubishi_rv4fl_params *p, double T[])
+KINSYM_FN void mitsubishi_rv4fl_fk_batch(const double q[], int n, const mitsubishi_rv4fl_params *p,
+    double T[])
 {
     if (p == NULL) {
         p = &mitsubishi_rv4fl_defaults;
@@ -1226,13 +1232,13 @@ void mitsubishi_rv4fl_fk_batch(const double q[], int n, const mitsubishi_rv4fl_p
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart. */
-static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
 {
     const double r = sqrt(a * a + b * b);
     const double per_r = 1.0 / r;
@@ -1246,8 +1252,8 @@ static inline double lane_homogeneous(double a, double b, double t, double c[2],
 
 /* Two links l1, l2 that reach (x, y): the second has the components k along the first and w across it; the first sees
  * the point at (along, w). */
-static inline double lane_triangle(double x, double y, double l1, double l2, double t,
-                                   double *k, double w[2], double *along, double *marked)
+KINSYM_FN static inline double lane_triangle(double x, double y, double l1, double l2, double t, double *k, double w[2],
+    double *along, double *marked)
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -1267,8 +1273,8 @@ static inline double lane_triangle(double x, double y, double l1, double l2, dou
 }
 
 /* The angle that turns (along, across) into the direction of (x, y). */
-static inline void lane_direction(double x, double y, double along, double across, double t, double *c, double *s,
-                                  double *marked)
+KINSYM_FN static inline void lane_direction(double x, double y, double along, double across, double t, double *c,
+    double *s, double *marked)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -1283,7 +1289,7 @@ static inline void lane_direction(double x, double y, double along, double acros
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -1324,7 +1330,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const mitsubishi_rv4fl_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const mitsubishi_rv4fl_params *p, lane_block *block)
 {
     const double d1 = p->d1;
     const double a2 = p->a2;
@@ -1458,7 +1464,7 @@ static void solve_block(const mitsubishi_rv4fl_params *p, lane_block *block)
     }
 }
 
-int mitsubishi_rv4fl_ik_batch(const double T[], int n, const mitsubishi_rv4fl_params *p,
+KINSYM_FN int mitsubishi_rv4fl_ik_batch(const double T[], int n, const mitsubishi_rv4fl_params *p,
     const double reference[MITSUBISHI_RV4FL_JOINTS], double q[][MITSUBISHI_RV4FL_JOINTS], int counts[])
 {
     if (p == NULL) {
@@ -1493,3 +1499,7 @@ int mitsubishi_rv4fl_ik_batch(const double T[], int n, const mitsubishi_rv4fl_pa
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

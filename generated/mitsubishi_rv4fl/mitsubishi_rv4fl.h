@@ -32,9 +32,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If MITSUBISHI_RV4FL_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes mitsubishi_rv4fl.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef MITSUBISHI_RV4FL_H
 #define MITSUBISHI_RV4FL_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -66,15 +85,15 @@ typedef struct mitsubishi_rv4fl_params {
 } mitsubishi_rv4fl_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const mitsubishi_rv4fl_params mitsubishi_rv4fl_defaults;
+extern KINSYM_DATA const mitsubishi_rv4fl_params mitsubishi_rv4fl_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void mitsubishi_rv4fl_fk(const double q[MITSUBISHI_RV4FL_JOINTS], const mitsubishi_rv4fl_params *p,
+KINSYM_FN void mitsubishi_rv4fl_fk(const double q[MITSUBISHI_RV4FL_JOINTS], const mitsubishi_rv4fl_params *p,
     double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void mitsubishi_rv4fl_jacobian(const double q[MITSUBISHI_RV4FL_JOINTS], const mitsubishi_rv4fl_params *p,
-    double J[6 * MITSUBISHI_RV4FL_JOINTS]);
+KINSYM_FN void mitsubishi_rv4fl_jacobian(const double q[MITSUBISHI_RV4FL_JOINTS],
+    const mitsubishi_rv4fl_params *p, double J[6 * MITSUBISHI_RV4FL_JOINTS]);
 
 /*
  * Singular poses:
@@ -99,12 +118,12 @@ void mitsubishi_rv4fl_jacobian(const double q[MITSUBISHI_RV4FL_JOINTS], const mi
  * or if one of these vanishes, which the equations take for granted: a2.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int mitsubishi_rv4fl_ik(const double T[16], const mitsubishi_rv4fl_params *p,
+KINSYM_FN int mitsubishi_rv4fl_ik(const double T[16], const mitsubishi_rv4fl_params *p,
     double q[][MITSUBISHI_RV4FL_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int mitsubishi_rv4fl_ik_near(const double T[16], const mitsubishi_rv4fl_params *p,
+KINSYM_FN int mitsubishi_rv4fl_ik_near(const double T[16], const mitsubishi_rv4fl_params *p,
     const double reference[MITSUBISHI_RV4FL_JOINTS], double q[][MITSUBISHI_RV4FL_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -116,7 +135,7 @@ typedef struct mitsubishi_rv4fl_mark {
 } mitsubishi_rv4fl_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int mitsubishi_rv4fl_ik_marked(const double T[16], const mitsubishi_rv4fl_params *p,
+KINSYM_FN int mitsubishi_rv4fl_ik_marked(const double T[16], const mitsubishi_rv4fl_params *p,
     const double reference[MITSUBISHI_RV4FL_JOINTS], double q[][MITSUBISHI_RV4FL_JOINTS],
     mitsubishi_rv4fl_mark marks[]);
 
@@ -139,7 +158,8 @@ int mitsubishi_rv4fl_ik_marked(const double T[16], const mitsubishi_rv4fl_params
 extern const char *const mitsubishi_rv4fl_branches[MITSUBISHI_RV4FL_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double mitsubishi_rv4fl_lower[MITSUBISHI_RV4FL_JOINTS], mitsubishi_rv4fl_upper[MITSUBISHI_RV4FL_JOINTS];
+extern KINSYM_DATA const double mitsubishi_rv4fl_lower[MITSUBISHI_RV4FL_JOINTS];
+extern KINSYM_DATA const double mitsubishi_rv4fl_upper[MITSUBISHI_RV4FL_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct mitsubishi_rv4fl_solutions {
@@ -150,12 +170,12 @@ typedef struct mitsubishi_rv4fl_solutions {
 } mitsubishi_rv4fl_solutions;
 
 /* ik_marked with a status, which is returned as well; MITSUBISHI_RV4FL_BAD_REFERENCE if the reference is not finite. */
-mitsubishi_rv4fl_status mitsubishi_rv4fl_solve(const double T[16], const mitsubishi_rv4fl_params *p,
+KINSYM_FN mitsubishi_rv4fl_status mitsubishi_rv4fl_solve(const double T[16], const mitsubishi_rv4fl_params *p,
     const double reference[MITSUBISHI_RV4FL_JOINTS], mitsubishi_rv4fl_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned mitsubishi_rv4fl_family(unsigned free);
+KINSYM_FN unsigned mitsubishi_rv4fl_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -163,7 +183,7 @@ unsigned mitsubishi_rv4fl_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * MITSUBISHI_RV4FL_BAD_LIMIT if limits are no interval. */
-int mitsubishi_rv4fl_within(const double T[16], const mitsubishi_rv4fl_params *p,
+KINSYM_FN int mitsubishi_rv4fl_within(const double T[16], const mitsubishi_rv4fl_params *p,
     const double reference[MITSUBISHI_RV4FL_JOINTS], const double lower[MITSUBISHI_RV4FL_JOINTS],
     const double upper[MITSUBISHI_RV4FL_JOINTS], int capacity, double q[][MITSUBISHI_RV4FL_JOINTS],
     mitsubishi_rv4fl_mark marks[]);
@@ -172,15 +192,16 @@ int mitsubishi_rv4fl_within(const double T[16], const mitsubishi_rv4fl_params *p
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. MITSUBISHI_RV4FL_BAD_WEIGHT if a weight is negative or not finite. */
-mitsubishi_rv4fl_status mitsubishi_rv4fl_nearest(const double T[16], const mitsubishi_rv4fl_params *p,
-    const double reference[MITSUBISHI_RV4FL_JOINTS], const double weights[MITSUBISHI_RV4FL_JOINTS],
-    const double lower[MITSUBISHI_RV4FL_JOINTS], const double upper[MITSUBISHI_RV4FL_JOINTS],
-    double q[MITSUBISHI_RV4FL_JOINTS]);
+KINSYM_FN mitsubishi_rv4fl_status mitsubishi_rv4fl_nearest(const double T[16],
+    const mitsubishi_rv4fl_params *p, const double reference[MITSUBISHI_RV4FL_JOINTS],
+    const double weights[MITSUBISHI_RV4FL_JOINTS], const double lower[MITSUBISHI_RV4FL_JOINTS],
+    const double upper[MITSUBISHI_RV4FL_JOINTS], double q[MITSUBISHI_RV4FL_JOINTS]);
 
 /* Forward kinematics of n joint vectors: q has MITSUBISHI_RV4FL_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void mitsubishi_rv4fl_fk_batch(const double q[], int n, const mitsubishi_rv4fl_params *p, double T[]);
+KINSYM_FN void mitsubishi_rv4fl_fk_batch(const double q[], int n, const mitsubishi_rv4fl_params *p,
+    double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -193,7 +214,7 @@ void mitsubishi_rv4fl_fk_batch(const double q[], int n, const mitsubishi_rv4fl_p
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 60 kB of stack are used. */
-int mitsubishi_rv4fl_ik_batch(const double T[], int n, const mitsubishi_rv4fl_params *p,
+KINSYM_FN int mitsubishi_rv4fl_ik_batch(const double T[], int n, const mitsubishi_rv4fl_params *p,
     const double reference[MITSUBISHI_RV4FL_JOINTS], double q[][MITSUBISHI_RV4FL_JOINTS], int counts[]);
 
 #ifdef __cplusplus

@@ -32,9 +32,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If NIRYO_ONE_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes niryo_one.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef NIRYO_ONE_H
 #define NIRYO_ONE_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -66,13 +85,13 @@ typedef struct niryo_one_params {
 } niryo_one_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const niryo_one_params niryo_one_defaults;
+extern KINSYM_DATA const niryo_one_params niryo_one_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void niryo_one_fk(const double q[NIRYO_ONE_JOINTS], const niryo_one_params *p, double T[16]);
+KINSYM_FN void niryo_one_fk(const double q[NIRYO_ONE_JOINTS], const niryo_one_params *p, double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void niryo_one_jacobian(const double q[NIRYO_ONE_JOINTS], const niryo_one_params *p,
+KINSYM_FN void niryo_one_jacobian(const double q[NIRYO_ONE_JOINTS], const niryo_one_params *p,
     double J[6 * NIRYO_ONE_JOINTS]);
 
 /*
@@ -98,12 +117,12 @@ void niryo_one_jacobian(const double q[NIRYO_ONE_JOINTS], const niryo_one_params
  * or if one of these vanishes, which the equations take for granted: a2.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int niryo_one_ik(const double T[16], const niryo_one_params *p, double q[][NIRYO_ONE_JOINTS]);
+KINSYM_FN int niryo_one_ik(const double T[16], const niryo_one_params *p, double q[][NIRYO_ONE_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int niryo_one_ik_near(const double T[16], const niryo_one_params *p, const double reference[NIRYO_ONE_JOINTS],
-    double q[][NIRYO_ONE_JOINTS]);
+KINSYM_FN int niryo_one_ik_near(const double T[16], const niryo_one_params *p,
+    const double reference[NIRYO_ONE_JOINTS], double q[][NIRYO_ONE_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
  * NIRYO_ONE_MAX_SOLUTIONS - 1,
@@ -114,7 +133,7 @@ typedef struct niryo_one_mark {
 } niryo_one_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int niryo_one_ik_marked(const double T[16], const niryo_one_params *p,
+KINSYM_FN int niryo_one_ik_marked(const double T[16], const niryo_one_params *p,
     const double reference[NIRYO_ONE_JOINTS], double q[][NIRYO_ONE_JOINTS], niryo_one_mark marks[]);
 
 /* The names of the branches by their number:
@@ -136,7 +155,8 @@ int niryo_one_ik_marked(const double T[16], const niryo_one_params *p,
 extern const char *const niryo_one_branches[NIRYO_ONE_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double niryo_one_lower[NIRYO_ONE_JOINTS], niryo_one_upper[NIRYO_ONE_JOINTS];
+extern KINSYM_DATA const double niryo_one_lower[NIRYO_ONE_JOINTS];
+extern KINSYM_DATA const double niryo_one_upper[NIRYO_ONE_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct niryo_one_solutions {
@@ -147,12 +167,12 @@ typedef struct niryo_one_solutions {
 } niryo_one_solutions;
 
 /* ik_marked with a status, which is returned as well; NIRYO_ONE_BAD_REFERENCE if the reference is not finite. */
-niryo_one_status niryo_one_solve(const double T[16], const niryo_one_params *p,
+KINSYM_FN niryo_one_status niryo_one_solve(const double T[16], const niryo_one_params *p,
     const double reference[NIRYO_ONE_JOINTS], niryo_one_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned niryo_one_family(unsigned free);
+KINSYM_FN unsigned niryo_one_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -160,22 +180,22 @@ unsigned niryo_one_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * NIRYO_ONE_BAD_LIMIT if limits are no interval. */
-int niryo_one_within(const double T[16], const niryo_one_params *p, const double reference[NIRYO_ONE_JOINTS],
-    const double lower[NIRYO_ONE_JOINTS], const double upper[NIRYO_ONE_JOINTS], int capacity,
-    double q[][NIRYO_ONE_JOINTS], niryo_one_mark marks[]);
+KINSYM_FN int niryo_one_within(const double T[16], const niryo_one_params *p,
+    const double reference[NIRYO_ONE_JOINTS], const double lower[NIRYO_ONE_JOINTS],
+    const double upper[NIRYO_ONE_JOINTS], int capacity, double q[][NIRYO_ONE_JOINTS], niryo_one_mark marks[]);
 
 /* The solution nearest to a reference: least is the sum of weights (NULL: 1) times squared differences, over all
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. NIRYO_ONE_BAD_WEIGHT if a weight is negative or not finite. */
-niryo_one_status niryo_one_nearest(const double T[16], const niryo_one_params *p,
+KINSYM_FN niryo_one_status niryo_one_nearest(const double T[16], const niryo_one_params *p,
     const double reference[NIRYO_ONE_JOINTS], const double weights[NIRYO_ONE_JOINTS],
     const double lower[NIRYO_ONE_JOINTS], const double upper[NIRYO_ONE_JOINTS], double q[NIRYO_ONE_JOINTS]);
 
 /* Forward kinematics of n joint vectors: q has NIRYO_ONE_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void niryo_one_fk_batch(const double q[], int n, const niryo_one_params *p, double T[]);
+KINSYM_FN void niryo_one_fk_batch(const double q[], int n, const niryo_one_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -188,7 +208,7 @@ void niryo_one_fk_batch(const double q[], int n, const niryo_one_params *p, doub
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 60 kB of stack are used. */
-int niryo_one_ik_batch(const double T[], int n, const niryo_one_params *p,
+KINSYM_FN int niryo_one_ik_batch(const double T[], int n, const niryo_one_params *p,
     const double reference[NIRYO_ONE_JOINTS], double q[][NIRYO_ONE_JOINTS], int counts[]);
 
 #ifdef __cplusplus

@@ -30,9 +30,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If OPEN_MANIPULATOR_X_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes open_manipulator_x.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef OPEN_MANIPULATOR_X_H
 #define OPEN_MANIPULATOR_X_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -65,14 +84,14 @@ typedef struct open_manipulator_x_params {
 } open_manipulator_x_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const open_manipulator_x_params open_manipulator_x_defaults;
+extern KINSYM_DATA const open_manipulator_x_params open_manipulator_x_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void open_manipulator_x_fk(const double q[OPEN_MANIPULATOR_X_JOINTS], const open_manipulator_x_params *p,
-    double T[16]);
+KINSYM_FN void open_manipulator_x_fk(const double q[OPEN_MANIPULATOR_X_JOINTS],
+    const open_manipulator_x_params *p, double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void open_manipulator_x_jacobian(const double q[OPEN_MANIPULATOR_X_JOINTS],
+KINSYM_FN void open_manipulator_x_jacobian(const double q[OPEN_MANIPULATOR_X_JOINTS],
     const open_manipulator_x_params *p, double J[6 * OPEN_MANIPULATOR_X_JOINTS]);
 
 /*
@@ -91,12 +110,12 @@ void open_manipulator_x_jacobian(const double q[OPEN_MANIPULATOR_X_JOINTS],
  * or if one of these vanishes, which the equations take for granted: a3.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int open_manipulator_x_ik(const double T[16], const open_manipulator_x_params *p,
+KINSYM_FN int open_manipulator_x_ik(const double T[16], const open_manipulator_x_params *p,
     double q[][OPEN_MANIPULATOR_X_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int open_manipulator_x_ik_near(const double T[16], const open_manipulator_x_params *p,
+KINSYM_FN int open_manipulator_x_ik_near(const double T[16], const open_manipulator_x_params *p,
     const double reference[OPEN_MANIPULATOR_X_JOINTS], double q[][OPEN_MANIPULATOR_X_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -108,7 +127,7 @@ typedef struct open_manipulator_x_mark {
 } open_manipulator_x_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int open_manipulator_x_ik_marked(const double T[16], const open_manipulator_x_params *p,
+KINSYM_FN int open_manipulator_x_ik_marked(const double T[16], const open_manipulator_x_params *p,
     const double reference[OPEN_MANIPULATOR_X_JOINTS], double q[][OPEN_MANIPULATOR_X_JOINTS],
     open_manipulator_x_mark marks[]);
 
@@ -120,7 +139,8 @@ int open_manipulator_x_ik_marked(const double T[16], const open_manipulator_x_pa
 extern const char *const open_manipulator_x_branches[OPEN_MANIPULATOR_X_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double open_manipulator_x_lower[OPEN_MANIPULATOR_X_JOINTS], open_manipulator_x_upper[OPEN_MANIPULATOR_X_JOINTS];
+extern KINSYM_DATA const double open_manipulator_x_lower[OPEN_MANIPULATOR_X_JOINTS];
+extern KINSYM_DATA const double open_manipulator_x_upper[OPEN_MANIPULATOR_X_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct open_manipulator_x_solutions {
@@ -131,12 +151,13 @@ typedef struct open_manipulator_x_solutions {
 } open_manipulator_x_solutions;
 
 /* ik_marked with a status, which is returned as well; OPEN_MANIPULATOR_X_BAD_REFERENCE if the reference is not finite. */
-open_manipulator_x_status open_manipulator_x_solve(const double T[16], const open_manipulator_x_params *p,
-    const double reference[OPEN_MANIPULATOR_X_JOINTS], open_manipulator_x_solutions *out);
+KINSYM_FN open_manipulator_x_status open_manipulator_x_solve(const double T[16],
+    const open_manipulator_x_params *p, const double reference[OPEN_MANIPULATOR_X_JOINTS],
+    open_manipulator_x_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned open_manipulator_x_family(unsigned free);
+KINSYM_FN unsigned open_manipulator_x_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -144,7 +165,7 @@ unsigned open_manipulator_x_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * OPEN_MANIPULATOR_X_BAD_LIMIT if limits are no interval. */
-int open_manipulator_x_within(const double T[16], const open_manipulator_x_params *p,
+KINSYM_FN int open_manipulator_x_within(const double T[16], const open_manipulator_x_params *p,
     const double reference[OPEN_MANIPULATOR_X_JOINTS], const double lower[OPEN_MANIPULATOR_X_JOINTS],
     const double upper[OPEN_MANIPULATOR_X_JOINTS], int capacity, double q[][OPEN_MANIPULATOR_X_JOINTS],
     open_manipulator_x_mark marks[]);
@@ -153,15 +174,16 @@ int open_manipulator_x_within(const double T[16], const open_manipulator_x_param
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. OPEN_MANIPULATOR_X_BAD_WEIGHT if a weight is negative or not finite. */
-open_manipulator_x_status open_manipulator_x_nearest(const double T[16], const open_manipulator_x_params *p,
-    const double reference[OPEN_MANIPULATOR_X_JOINTS], const double weights[OPEN_MANIPULATOR_X_JOINTS],
-    const double lower[OPEN_MANIPULATOR_X_JOINTS], const double upper[OPEN_MANIPULATOR_X_JOINTS],
-    double q[OPEN_MANIPULATOR_X_JOINTS]);
+KINSYM_FN open_manipulator_x_status open_manipulator_x_nearest(const double T[16],
+    const open_manipulator_x_params *p, const double reference[OPEN_MANIPULATOR_X_JOINTS],
+    const double weights[OPEN_MANIPULATOR_X_JOINTS], const double lower[OPEN_MANIPULATOR_X_JOINTS],
+    const double upper[OPEN_MANIPULATOR_X_JOINTS], double q[OPEN_MANIPULATOR_X_JOINTS]);
 
 /* Forward kinematics of n joint vectors: q has OPEN_MANIPULATOR_X_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void open_manipulator_x_fk_batch(const double q[], int n, const open_manipulator_x_params *p, double T[]);
+KINSYM_FN void open_manipulator_x_fk_batch(const double q[], int n, const open_manipulator_x_params *p,
+    double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -174,7 +196,7 @@ void open_manipulator_x_fk_batch(const double q[], int n, const open_manipulator
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 20 kB of stack are used. */
-int open_manipulator_x_ik_batch(const double T[], int n, const open_manipulator_x_params *p,
+KINSYM_FN int open_manipulator_x_ik_batch(const double T[], int n, const open_manipulator_x_params *p,
     const double reference[OPEN_MANIPULATOR_X_JOINTS], double q[][OPEN_MANIPULATOR_X_JOINTS], int counts[]);
 
 #ifdef __cplusplus

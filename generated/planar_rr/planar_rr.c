@@ -20,8 +20,9 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
@@ -31,7 +32,7 @@ double sqrt(double) __attribute__((const)); /* the library's own declaration let
 #ifdef PLANAR_RR_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -43,7 +44,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -80,7 +81,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -88,21 +90,21 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The opposite angle in (-pi, pi]. */
-static inline double opposite(double angle)
+KINSYM_FN static inline double opposite(double angle)
 {
     const double pi = 3.141592653589793;
     return angle < pi ? -angle : angle;
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void planar_rr_fk(const double q[PLANAR_RR_JOINTS], const planar_rr_params *p, double T[16])
+KINSYM_FN void planar_rr_fk(const double q[PLANAR_RR_JOINTS], const planar_rr_params *p, double T[16])
 {
     if (p == NULL) {
         for (int i = 0; i < 16; ++i) {
@@ -137,7 +139,7 @@ void planar_rr_fk(const double q[PLANAR_RR_JOINTS], const planar_rr_params *p, d
     T[15] = 1.0;
 }
 
-void planar_rr_jacobian(const double q[PLANAR_RR_JOINTS], const planar_rr_params *p,
+KINSYM_FN void planar_rr_jacobian(const double q[PLANAR_RR_JOINTS], const planar_rr_params *p,
     double J[6 * PLANAR_RR_JOINTS])
 {
     if (p == NULL) {
@@ -188,8 +190,8 @@ void planar_rr_jacobian(const double q[PLANAR_RR_JOINTS], const planar_rr_params
 /* Two links l1, l2 that reach (x, y). The second link has the components k along the first link and w across
  * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. Out of reach
  * there is none, but just out of it, or anywhere if loose, one in doubt. */
-static int solve_triangle(double x, double y, double l1, double l2, double t, int loose,
-                          double *k, double w[2], double *along, int mark[2])
+KINSYM_FN static int solve_triangle(double x, double y, double l1, double l2, double t, int loose, double *k,
+    double w[2], double *along, int mark[2])
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -218,8 +220,8 @@ static int solve_triangle(double x, double y, double l1, double l2, double t, in
 }
 
 /* The angle that turns (along, across) into the direction of (x, y); free if (x, y) vanishes. */
-static int solve_direction(double x, double y, double along, double across, double t, double reference,
-                           double *c, double *s)
+KINSYM_FN static int solve_direction(double x, double y, double along, double across, double t, double reference,
+    double *c, double *s)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -238,7 +240,7 @@ static int solve_direction(double x, double y, double along, double across, doub
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -279,7 +281,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -295,7 +297,7 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether nothing vanishes that the equations take for granted. */
-static int regular(const planar_rr_params *p)
+KINSYM_FN static int regular(const planar_rr_params *p)
 {
     const double l1 = p->l1;
     const double l2 = p->l2;
@@ -304,13 +306,13 @@ static int regular(const planar_rr_params *p)
 }
 
 /* Whether every parameter has a finite value, and none one that this solver is not for. */
-static int usable(const planar_rr_params *p)
+KINSYM_FN static int usable(const planar_rr_params *p)
 {
     return p != NULL && isfinite(p->l1) && isfinite(p->l2) && regular(p);
 }
 
 /* Whether the forward kinematics of q agrees with the pose M in the entries of the task. */
-static int reaches(const double q[PLANAR_RR_JOINTS], const planar_rr_params *p, const double M[12],
+KINSYM_FN static int reaches(const double q[PLANAR_RR_JOINTS], const planar_rr_params *p, const double M[12],
     double tau, double size)
 {
     static const int position[] = {3, 7, 11};
@@ -328,11 +330,11 @@ static int reaches(const double q[PLANAR_RR_JOINTS], const planar_rr_params *p, 
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 3
-static const int entry_of[ENTRIES] = {3, 7, 11};
+static KINSYM_DATA const int entry_of[ENTRIES] = {3, 7, 11};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[PLANAR_RR_JOINTS], const planar_rr_params *p, const double M[12],
-    double size, double e[ENTRIES])
+KINSYM_FN static double distance(const double q[PLANAR_RR_JOINTS], const planar_rr_params *p,
+    const double M[12], double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
     planar_rr_fk(q, p, T);
@@ -345,7 +347,7 @@ static double distance(const double q[PLANAR_RR_JOINTS], const planar_rr_params 
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[PLANAR_RR_JOINTS], const planar_rr_params *p, double size,
+KINSYM_FN static void slopes(const double q[PLANAR_RR_JOINTS], const planar_rr_params *p, double size,
     double D[ENTRIES][PLANAR_RR_JOINTS])
 {
     double T[16], J[6 * PLANAR_RR_JOINTS];
@@ -364,7 +366,7 @@ static void slopes(const double q[PLANAR_RR_JOINTS], const planar_rr_params *p, 
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][PLANAR_RR_JOINTS], const double e[ENTRIES], double damping,
+KINSYM_FN static void step(double D[ENTRIES][PLANAR_RR_JOINTS], const double e[ENTRIES], double damping,
     double g[PLANAR_RR_JOINTS])
 {
     double A[PLANAR_RR_JOINTS + 1][ENTRIES + PLANAR_RR_JOINTS];
@@ -397,7 +399,8 @@ static void step(double D[ENTRIES][PLANAR_RR_JOINTS], const double e[ENTRIES], d
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[PLANAR_RR_JOINTS], const planar_rr_params *p, const double M[12], double size)
+KINSYM_FN static double polish(double q[PLANAR_RR_JOINTS], const planar_rr_params *p, const double M[12],
+    double size)
 {
     double e[ENTRIES], D[ENTRIES][PLANAR_RR_JOINTS], g[PLANAR_RR_JOINTS], trial[PLANAR_RR_JOINTS];
     double left = distance(q, p, M, size, e), caution = 1.0;
@@ -426,8 +429,8 @@ static double polish(double q[PLANAR_RR_JOINTS], const planar_rr_params *p, cons
  * Where two borders cross the distance is stationary, and a second start lies beside it. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
-static int settle(double q[][PLANAR_RR_JOINTS], planar_rr_mark marks[], double alike[], unsigned twin,
-    int mark, const planar_rr_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settle(double q[][PLANAR_RR_JOINTS], planar_rr_mark marks[], double alike[],
+    unsigned twin, int mark, const planar_rr_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[PLANAR_RR_JOINTS], other[PLANAR_RR_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -471,7 +474,8 @@ static int settle(double q[][PLANAR_RR_JOINTS], planar_rr_mark marks[], double a
 
 /* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
  * alike tells, and puts the rest in the order of their branches; returns how many are left. */
-static int tidied(double q[][PLANAR_RR_JOINTS], planar_rr_mark marks[], const double alike[], int count)
+KINSYM_FN static int tidied(double q[][PLANAR_RR_JOINTS], planar_rr_mark marks[], const double alike[],
+    int count)
 {
     int kept = 0;
     for (int i = 0; i < count; ++i) {
@@ -507,8 +511,8 @@ static int tidied(double q[][PLANAR_RR_JOINTS], planar_rr_mark marks[], const do
 }
 
 /* The solutions of a pose that reach it, marked ones settled; returns how many there are. */
-static int settled(double q[][PLANAR_RR_JOINTS], planar_rr_mark marks[], const int found[], int count,
-    const planar_rr_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settled(double q[][PLANAR_RR_JOINTS], planar_rr_mark marks[], const int found[],
+    int count, const planar_rr_params *p, const double M[12], double tau, double size)
 {
     double given[PLANAR_RR_MAX_SOLUTIONS][PLANAR_RR_JOINTS];
     unsigned branches[PLANAR_RR_MAX_SOLUTIONS];
@@ -538,7 +542,7 @@ static int settled(double q[][PLANAR_RR_JOINTS], planar_rr_mark marks[], const i
     return tidied(q, marks, alike, kept);
 }
 
-int planar_rr_ik_marked(const double T[16], const planar_rr_params *p,
+KINSYM_FN int planar_rr_ik_marked(const double T[16], const planar_rr_params *p,
     const double reference[PLANAR_RR_JOINTS], double q[][PLANAR_RR_JOINTS], planar_rr_mark marks[])
 {
     static const double zeros[PLANAR_RR_JOINTS] = {0.0};
@@ -613,14 +617,14 @@ int planar_rr_ik_marked(const double T[16], const planar_rr_params *p,
     return settled(q, marks, found, count, p, M, tau, size);
 }
 
-int planar_rr_ik_near(const double T[16], const planar_rr_params *p, const double reference[PLANAR_RR_JOINTS],
-    double q[][PLANAR_RR_JOINTS])
+KINSYM_FN int planar_rr_ik_near(const double T[16], const planar_rr_params *p,
+    const double reference[PLANAR_RR_JOINTS], double q[][PLANAR_RR_JOINTS])
 {
     planar_rr_mark marks[PLANAR_RR_MAX_SOLUTIONS];
     return planar_rr_ik_marked(T, p, reference, q, marks);
 }
 
-int planar_rr_ik(const double T[16], const planar_rr_params *p, double q[][PLANAR_RR_JOINTS])
+KINSYM_FN int planar_rr_ik(const double T[16], const planar_rr_params *p, double q[][PLANAR_RR_JOINTS])
 {
     return planar_rr_ik_near(T, p, NULL, q);
 }
@@ -630,18 +634,18 @@ const char *const planar_rr_branches[PLANAR_RR_MAX_SOLUTIONS] = {
     "elbow left",
 };
 
-const double planar_rr_lower[PLANAR_RR_JOINTS] = {-HUGE_VAL, -HUGE_VAL};
-const double planar_rr_upper[PLANAR_RR_JOINTS] = {HUGE_VAL, HUGE_VAL};
+KINSYM_DATA const double planar_rr_lower[PLANAR_RR_JOINTS] = {-HUGE_VAL, -HUGE_VAL};
+KINSYM_DATA const double planar_rr_upper[PLANAR_RR_JOINTS] = {HUGE_VAL, HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "RR";
+static KINSYM_DATA const char kinds[] = "RR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[PLANAR_RR_JOINTS])
+KINSYM_FN static int are_numbers(const double x[PLANAR_RR_JOINTS])
 {
     for (int i = 0; x != NULL && i < PLANAR_RR_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -652,7 +656,7 @@ static int are_numbers(const double x[PLANAR_RR_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[PLANAR_RR_JOINTS], const double upper[PLANAR_RR_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[PLANAR_RR_JOINTS], const double upper[PLANAR_RR_JOINTS])
 {
     for (int i = 0; i < PLANAR_RR_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -663,7 +667,7 @@ static int all_intervals(const double lower[PLANAR_RR_JOINTS], const double uppe
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -671,18 +675,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static planar_rr_status status_of(planar_rr_mark special)
+KINSYM_FN static planar_rr_status status_of(planar_rr_mark special)
 {
     return special.free | special.border ? PLANAR_RR_SINGULAR : PLANAR_RR_SOLVED;
 }
 
-planar_rr_status planar_rr_solve(const double T[16], const planar_rr_params *p,
+KINSYM_FN planar_rr_status planar_rr_solve(const double T[16], const planar_rr_params *p,
     const double reference[PLANAR_RR_JOINTS], planar_rr_solutions *out)
 {
     out->count = 0;
@@ -706,15 +710,15 @@ planar_rr_status planar_rr_solve(const double T[16], const planar_rr_params *p,
     return out->status;
 }
 
-unsigned planar_rr_family(unsigned free)
+KINSYM_FN unsigned planar_rr_family(unsigned free)
 {
     unsigned moving = free;
     return moving;
 }
 
-int planar_rr_within(const double T[16], const planar_rr_params *p, const double reference[PLANAR_RR_JOINTS],
-    const double lower[PLANAR_RR_JOINTS], const double upper[PLANAR_RR_JOINTS], int capacity,
-    double q[][PLANAR_RR_JOINTS], planar_rr_mark marks[])
+KINSYM_FN int planar_rr_within(const double T[16], const planar_rr_params *p,
+    const double reference[PLANAR_RR_JOINTS], const double lower[PLANAR_RR_JOINTS],
+    const double upper[PLANAR_RR_JOINTS], int capacity, double q[][PLANAR_RR_JOINTS], planar_rr_mark marks[])
 {
     const double *low = lower == NULL ? planar_rr_lower : lower;
     const double *high = upper == NULL ? planar_rr_upper : upper;
@@ -757,7 +761,7 @@ int planar_rr_within(const double T[16], const planar_rr_params *p, const double
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-planar_rr_status planar_rr_nearest(const double T[16], const planar_rr_params *p,
+KINSYM_FN planar_rr_status planar_rr_nearest(const double T[16], const planar_rr_params *p,
     const double reference[PLANAR_RR_JOINTS], const double weights[PLANAR_RR_JOINTS],
     const double lower[PLANAR_RR_JOINTS], const double upper[PLANAR_RR_JOINTS], double q[PLANAR_RR_JOINTS])
 {
@@ -819,7 +823,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -837,18 +841,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const planar_rr_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const planar_rr_params *p, int path, lane_block *block)
 {
     const double l1 = p->l1;
     const double l2 = p->l2;
@@ -881,7 +885,7 @@ static void fk_block(const planar_rr_params *p, int path, lane_block *block)
     }
 }
 
-void planar_rr_fk_batch(const double q[], int n, const planar_rr_params *p, double T[])
+KINSYM_FN void planar_rr_fk_batch(const double q[], int n, const planar_rr_params *p, double T[])
 {
     lane_block block;
     for (int first = 0; first < n; first += LANES) {
@@ -914,15 +918,15 @@ void planar_rr_fk_batch(const double q[], int n, const planar_rr_params *p, doub
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* Two links l1, l2 that reach (x, y): the second has the components k along the first and w across it; the first sees
  * the point at (along, w). */
-static inline double lane_triangle(double x, double y, double l1, double l2, double t,
-                                   double *k, double w[2], double *along, double *marked)
+KINSYM_FN static inline double lane_triangle(double x, double y, double l1, double l2, double t, double *k, double w[2],
+    double *along, double *marked)
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -942,8 +946,8 @@ static inline double lane_triangle(double x, double y, double l1, double l2, dou
 }
 
 /* The angle that turns (along, across) into the direction of (x, y). */
-static inline void lane_direction(double x, double y, double along, double across, double t, double *c, double *s,
-                                  double *marked)
+KINSYM_FN static inline void lane_direction(double x, double y, double along, double across, double t, double *c,
+    double *s, double *marked)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -958,7 +962,7 @@ static inline void lane_direction(double x, double y, double along, double acros
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -999,7 +1003,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const planar_rr_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const planar_rr_params *p, lane_block *block)
 {
     const double l1 = p->l1;
     const double l2 = p->l2;
@@ -1038,7 +1042,7 @@ static void solve_block(const planar_rr_params *p, lane_block *block)
 
 /* Keeps the solutions of one path whose forward kinematics agree with the pose in the entries of the task. What is at
  * the edge of the tolerance is marked. */
-static void reach_block(const planar_rr_params *p, int path, lane_block *block)
+KINSYM_FN static void reach_block(const planar_rr_params *p, int path, lane_block *block)
 {
     const double l1 = p->l1;
     const double l2 = p->l2;
@@ -1058,7 +1062,7 @@ static void reach_block(const planar_rr_params *p, int path, lane_block *block)
     }
 }
 
-int planar_rr_ik_batch(const double T[], int n, const planar_rr_params *p,
+KINSYM_FN int planar_rr_ik_batch(const double T[], int n, const planar_rr_params *p,
     const double reference[PLANAR_RR_JOINTS], double q[][PLANAR_RR_JOINTS], int counts[])
 {
     if (!usable(p)) {
@@ -1094,3 +1098,7 @@ int planar_rr_ik_batch(const double T[], int n, const planar_rr_params *p,
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

@@ -30,9 +30,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If PLANAR_RRR_SCREW_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes planar_rrr_screw.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef PLANAR_RRR_SCREW_H
 #define PLANAR_RRR_SCREW_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -63,12 +82,12 @@ typedef struct planar_rrr_screw_params {
 
 /* Forward kinematics: the pose T of the joint vector q. With p = NULL every entry is NaN, here and in the
  * Jacobian: the table has no value for a1, a2, a3. */
-void planar_rrr_screw_fk(const double q[PLANAR_RRR_SCREW_JOINTS], const planar_rrr_screw_params *p,
+KINSYM_FN void planar_rrr_screw_fk(const double q[PLANAR_RRR_SCREW_JOINTS], const planar_rrr_screw_params *p,
     double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void planar_rrr_screw_jacobian(const double q[PLANAR_RRR_SCREW_JOINTS], const planar_rrr_screw_params *p,
-    double J[6 * PLANAR_RRR_SCREW_JOINTS]);
+KINSYM_FN void planar_rrr_screw_jacobian(const double q[PLANAR_RRR_SCREW_JOINTS],
+    const planar_rrr_screw_params *p, double J[6 * PLANAR_RRR_SCREW_JOINTS]);
 
 /*
  * Singular poses:
@@ -86,12 +105,12 @@ void planar_rrr_screw_jacobian(const double q[PLANAR_RRR_SCREW_JOINTS], const pl
  * or if one of these vanishes, which the equations take for granted: a1, a2.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int planar_rrr_screw_ik(const double T[16], const planar_rrr_screw_params *p,
+KINSYM_FN int planar_rrr_screw_ik(const double T[16], const planar_rrr_screw_params *p,
     double q[][PLANAR_RRR_SCREW_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int planar_rrr_screw_ik_near(const double T[16], const planar_rrr_screw_params *p,
+KINSYM_FN int planar_rrr_screw_ik_near(const double T[16], const planar_rrr_screw_params *p,
     const double reference[PLANAR_RRR_SCREW_JOINTS], double q[][PLANAR_RRR_SCREW_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -103,7 +122,7 @@ typedef struct planar_rrr_screw_mark {
 } planar_rrr_screw_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int planar_rrr_screw_ik_marked(const double T[16], const planar_rrr_screw_params *p,
+KINSYM_FN int planar_rrr_screw_ik_marked(const double T[16], const planar_rrr_screw_params *p,
     const double reference[PLANAR_RRR_SCREW_JOINTS], double q[][PLANAR_RRR_SCREW_JOINTS],
     planar_rrr_screw_mark marks[]);
 
@@ -115,7 +134,8 @@ int planar_rrr_screw_ik_marked(const double T[16], const planar_rrr_screw_params
 extern const char *const planar_rrr_screw_branches[PLANAR_RRR_SCREW_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double planar_rrr_screw_lower[PLANAR_RRR_SCREW_JOINTS], planar_rrr_screw_upper[PLANAR_RRR_SCREW_JOINTS];
+extern KINSYM_DATA const double planar_rrr_screw_lower[PLANAR_RRR_SCREW_JOINTS];
+extern KINSYM_DATA const double planar_rrr_screw_upper[PLANAR_RRR_SCREW_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct planar_rrr_screw_solutions {
@@ -126,12 +146,12 @@ typedef struct planar_rrr_screw_solutions {
 } planar_rrr_screw_solutions;
 
 /* ik_marked with a status, which is returned as well; PLANAR_RRR_SCREW_BAD_REFERENCE if the reference is not finite. */
-planar_rrr_screw_status planar_rrr_screw_solve(const double T[16], const planar_rrr_screw_params *p,
+KINSYM_FN planar_rrr_screw_status planar_rrr_screw_solve(const double T[16], const planar_rrr_screw_params *p,
     const double reference[PLANAR_RRR_SCREW_JOINTS], planar_rrr_screw_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned planar_rrr_screw_family(unsigned free);
+KINSYM_FN unsigned planar_rrr_screw_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -139,7 +159,7 @@ unsigned planar_rrr_screw_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * PLANAR_RRR_SCREW_BAD_LIMIT if limits are no interval. */
-int planar_rrr_screw_within(const double T[16], const planar_rrr_screw_params *p,
+KINSYM_FN int planar_rrr_screw_within(const double T[16], const planar_rrr_screw_params *p,
     const double reference[PLANAR_RRR_SCREW_JOINTS], const double lower[PLANAR_RRR_SCREW_JOINTS],
     const double upper[PLANAR_RRR_SCREW_JOINTS], int capacity, double q[][PLANAR_RRR_SCREW_JOINTS],
     planar_rrr_screw_mark marks[]);
@@ -148,15 +168,16 @@ int planar_rrr_screw_within(const double T[16], const planar_rrr_screw_params *p
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. PLANAR_RRR_SCREW_BAD_WEIGHT if a weight is negative or not finite. */
-planar_rrr_screw_status planar_rrr_screw_nearest(const double T[16], const planar_rrr_screw_params *p,
-    const double reference[PLANAR_RRR_SCREW_JOINTS], const double weights[PLANAR_RRR_SCREW_JOINTS],
-    const double lower[PLANAR_RRR_SCREW_JOINTS], const double upper[PLANAR_RRR_SCREW_JOINTS],
-    double q[PLANAR_RRR_SCREW_JOINTS]);
+KINSYM_FN planar_rrr_screw_status planar_rrr_screw_nearest(const double T[16],
+    const planar_rrr_screw_params *p, const double reference[PLANAR_RRR_SCREW_JOINTS],
+    const double weights[PLANAR_RRR_SCREW_JOINTS], const double lower[PLANAR_RRR_SCREW_JOINTS],
+    const double upper[PLANAR_RRR_SCREW_JOINTS], double q[PLANAR_RRR_SCREW_JOINTS]);
 
 /* Forward kinematics of n joint vectors: q has PLANAR_RRR_SCREW_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void planar_rrr_screw_fk_batch(const double q[], int n, const planar_rrr_screw_params *p, double T[]);
+KINSYM_FN void planar_rrr_screw_fk_batch(const double q[], int n, const planar_rrr_screw_params *p,
+    double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -169,7 +190,7 @@ void planar_rrr_screw_fk_batch(const double q[], int n, const planar_rrr_screw_p
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 20 kB of stack are used. */
-int planar_rrr_screw_ik_batch(const double T[], int n, const planar_rrr_screw_params *p,
+KINSYM_FN int planar_rrr_screw_ik_batch(const double T[], int n, const planar_rrr_screw_params *p,
     const double reference[PLANAR_RRR_SCREW_JOINTS], double q[][PLANAR_RRR_SCREW_JOINTS], int counts[]);
 
 #ifdef __cplusplus

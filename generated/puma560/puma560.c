@@ -24,15 +24,16 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
 double sqrt(double) __attribute__((const)); /* the library's own declaration lets it write errno */
 #endif
 
-const puma560_params puma560_defaults = {
+KINSYM_DATA const puma560_params puma560_defaults = {
     0.4318, /* a2 */
     0.0203, /* a3 */
     0.15005, /* d3 */
@@ -42,7 +43,7 @@ const puma560_params puma560_defaults = {
 #ifdef PUMA560_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -54,7 +55,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -91,7 +92,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -99,28 +101,28 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The angle half a turn away, in (-pi, pi]; what is too small to be seen beside pi counts as 0. */
-static inline double half_turn(double angle)
+KINSYM_FN static inline double half_turn(double angle)
 {
     const double pi = 3.141592653589793;
     return angle + (angle > 2.220446049250313e-16 ? -pi : pi);
 }
 
 /* The opposite angle in (-pi, pi]. */
-static inline double opposite(double angle)
+KINSYM_FN static inline double opposite(double angle)
 {
     const double pi = 3.141592653589793;
     return angle < pi ? -angle : angle;
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void puma560_fk(const double q[PUMA560_JOINTS], const puma560_params *p, double T[16])
+KINSYM_FN void puma560_fk(const double q[PUMA560_JOINTS], const puma560_params *p, double T[16])
 {
     if (p == NULL) {
         p = &puma560_defaults;
@@ -184,7 +186,8 @@ void puma560_fk(const double q[PUMA560_JOINTS], const puma560_params *p, double 
     T[15] = 1.0;
 }
 
-void puma560_jacobian(const double q[PUMA560_JOINTS], const puma560_params *p, double J[6 * PUMA560_JOINTS])
+KINSYM_FN void puma560_jacobian(const double q[PUMA560_JOINTS], const puma560_params *p,
+    double J[6 * PUMA560_JOINTS])
 {
     if (p == NULL) {
         p = &puma560_defaults;
@@ -212,15 +215,15 @@ void puma560_jacobian(const double q[PUMA560_JOINTS], const puma560_params *p, d
     const double product1 = a2 * c2;
     const double product2 = a3 * c23;
     const double sum1 = product1 + product2;
-    const double sum2 = product5 - sum1;
+    const double sum8 = product5 - sum1;
     const double product6 = d3 * s1;
-    const double oE_x = -c1 * sum2 + product6;
+    const double oE_x = -c1 * sum8 + product6;
     const double product7 = c1 * d3;
-    const double oE_y = -s1 * sum2 - product7;
+    const double oE_y = -s1 * sum8 - product7;
     const double product3 = a2 * s2;
     const double product8 = a3 * s23;
-    const double sum3 = product3 + product8;
-    const double oE_z = sum3 + d4 * c23;
+    const double sum2 = product3 + product8;
+    const double oE_z = sum2 + d4 * c23;
     const double o3_x = product1 * c1;
     const double o3_y = product1 * s1;
     const double o3_z = product3;
@@ -228,40 +231,40 @@ void puma560_jacobian(const double q[PUMA560_JOINTS], const puma560_params *p, d
     const double z4_y = -s1 * s23;
     const double o4_x = c1 * sum1 + product6;
     const double o4_y = s1 * sum1 - product7;
-    const double o4_z = sum3;
+    const double o4_z = sum2;
     const double product9 = c1 * s4;
     const double z5_x = product9 * c23 + s1 * c4;
     const double product10 = s1 * s4;
     const double z5_y = product10 * c23 - c1 * c4;
     const double z5_z = s23 * s4;
     const double product4 = c4 * s5;
-    const double product11 = c23 * product4;
-    const double product12 = c5 * s23;
-    const double sum4 = product11 + product12;
-    const double z6_x = product10 * s5 - c1 * sum4;
-    const double z6_y = -product9 * s5 - s1 * sum4;
+    const double product12 = c23 * product4;
+    const double product11 = s23 * c5;
+    const double sum3 = product12 + product11;
+    const double z6_x = product10 * s5 - c1 * sum3;
+    const double z6_y = -product9 * s5 - s1 * sum3;
     const double z6_z = c23 * c5 - product4 * s23;
-    const double sum5 = o3_z - oE_z;
-    const double sum6 = o4_z - oE_z;
-    const double sum7 = o4_y - oE_y;
-    const double sum8 = o4_x - oE_x;
+    const double sum4 = oE_z - o3_z;
+    const double sum5 = oE_z - o4_z;
+    const double sum6 = oE_y - o4_y;
+    const double sum7 = oE_x - o4_x;
 
     J[0] = -oE_y;
     J[1] = -c1 * oE_z;
-    J[2] = c1 * sum5;
-    J[3] = -z4_y * sum6 + c23 * sum7;
+    J[2] = -c1 * sum4;
+    J[3] = z4_y * sum5 - c23 * sum6;
     J[4] = 0.0;
     J[5] = 0.0;
     J[6] = oE_x;
     J[7] = -s1 * oE_z;
-    J[8] = s1 * sum5;
-    J[9] = -c23 * sum8 + z4_x * sum6;
+    J[8] = -s1 * sum4;
+    J[9] = c23 * sum7 - z4_x * sum5;
     J[10] = 0.0;
     J[11] = 0.0;
     J[12] = 0.0;
     J[13] = s1 * oE_y + c1 * oE_x;
     J[14] = s1 * (oE_y - o3_y) + c1 * (oE_x - o3_x);
-    J[15] = -z4_x * sum7 + z4_y * sum8;
+    J[15] = z4_x * sum6 - z4_y * sum7;
     J[16] = 0.0;
     J[17] = 0.0;
     J[18] = 0.0;
@@ -295,7 +298,8 @@ void puma560_jacobian(const double q[PUMA560_JOINTS], const puma560_params *p, d
 #define NEAR 67108864.0
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2],
+    int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
@@ -315,8 +319,8 @@ static int solve_homogeneous(double a, double b, double t, double reference, dou
 
 /* The angles with a*cos + b*sin = e: two; one on the border, where they meet; one, free, if a, b, e vanish. Beyond
  * the border there is none, but just beyond it, or anywhere if loose, one in doubt. */
-static int solve_linear(double a, double b, double e, double t, double reference, int loose,
-                        double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_linear(double a, double b, double e, double t, double reference, int loose, double c[2],
+    double s[2], int mark[2])
 {
     const double rr = a * a + b * b;
     const double r = sqrt(rr);
@@ -351,8 +355,8 @@ static int solve_linear(double a, double b, double e, double t, double reference
 /* Two links l1, l2 that reach (x, y). The second link has the components k along the first link and w across
  * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. Out of reach
  * there is none, but just out of it, or anywhere if loose, one in doubt. */
-static int solve_triangle(double x, double y, double l1, double l2, double t, int loose,
-                          double *k, double w[2], double *along, int mark[2])
+KINSYM_FN static int solve_triangle(double x, double y, double l1, double l2, double t, int loose, double *k,
+    double w[2], double *along, int mark[2])
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -381,8 +385,8 @@ static int solve_triangle(double x, double y, double l1, double l2, double t, in
 }
 
 /* The angle that turns (along, across) into the direction of (x, y); free if (x, y) vanishes. */
-static int solve_direction(double x, double y, double along, double across, double t, double reference,
-                           double *c, double *s)
+KINSYM_FN static int solve_direction(double x, double y, double along, double across, double t, double reference,
+    double *c, double *s)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -401,7 +405,7 @@ static int solve_direction(double x, double y, double along, double across, doub
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -442,7 +446,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -458,7 +462,7 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether nothing vanishes that the equations take for granted. */
-static int regular(const puma560_params *p)
+KINSYM_FN static int regular(const puma560_params *p)
 {
     const double a2 = p->a2;
     const double a3 = p->a3;
@@ -469,13 +473,13 @@ static int regular(const puma560_params *p)
 }
 
 /* Whether every parameter has a finite value, and none one that this solver is not for. */
-static int usable(const puma560_params *p)
+KINSYM_FN static int usable(const puma560_params *p)
 {
     return isfinite(p->a2) && isfinite(p->a3) && isfinite(p->d3) && isfinite(p->d4) && regular(p);
 }
 
 /* Whether all joint values are numbers; lengths near the limits of double precision can overflow on the way. */
-static int all_finite(const double q[PUMA560_JOINTS])
+KINSYM_FN static int all_finite(const double q[PUMA560_JOINTS])
 {
     for (int i = 0; i < PUMA560_JOINTS; ++i) {
         if (!isfinite(q[i])) {
@@ -487,10 +491,10 @@ static int all_finite(const double q[PUMA560_JOINTS])
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 12
-static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+static KINSYM_DATA const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[PUMA560_JOINTS], const puma560_params *p, const double M[12],
+KINSYM_FN static double distance(const double q[PUMA560_JOINTS], const puma560_params *p, const double M[12],
     double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
@@ -504,7 +508,7 @@ static double distance(const double q[PUMA560_JOINTS], const puma560_params *p, 
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[PUMA560_JOINTS], const puma560_params *p, double size,
+KINSYM_FN static void slopes(const double q[PUMA560_JOINTS], const puma560_params *p, double size,
     double D[ENTRIES][PUMA560_JOINTS])
 {
     double T[16], J[6 * PUMA560_JOINTS];
@@ -523,7 +527,7 @@ static void slopes(const double q[PUMA560_JOINTS], const puma560_params *p, doub
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][PUMA560_JOINTS], const double e[ENTRIES], double damping,
+KINSYM_FN static void step(double D[ENTRIES][PUMA560_JOINTS], const double e[ENTRIES], double damping,
     double g[PUMA560_JOINTS])
 {
     double A[PUMA560_JOINTS + 1][ENTRIES + PUMA560_JOINTS];
@@ -556,7 +560,8 @@ static void step(double D[ENTRIES][PUMA560_JOINTS], const double e[ENTRIES], dou
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[PUMA560_JOINTS], const puma560_params *p, const double M[12], double size)
+KINSYM_FN static double polish(double q[PUMA560_JOINTS], const puma560_params *p, const double M[12],
+    double size)
 {
     double e[ENTRIES], D[ENTRIES][PUMA560_JOINTS], g[PUMA560_JOINTS], trial[PUMA560_JOINTS];
     double left = distance(q, p, M, size, e), caution = 1.0;
@@ -585,8 +590,8 @@ static double polish(double q[PUMA560_JOINTS], const puma560_params *p, const do
  * Where two borders cross the distance is stationary, and a second start lies beside it. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
-static int settle(double q[][PUMA560_JOINTS], puma560_mark marks[], double alike[], unsigned twin, int mark,
-    const puma560_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settle(double q[][PUMA560_JOINTS], puma560_mark marks[], double alike[], unsigned twin,
+    int mark, const puma560_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[PUMA560_JOINTS], other[PUMA560_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -630,7 +635,7 @@ static int settle(double q[][PUMA560_JOINTS], puma560_mark marks[], double alike
 
 /* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
  * alike tells, and puts the rest in the order of their branches; returns how many are left. */
-static int tidied(double q[][PUMA560_JOINTS], puma560_mark marks[], const double alike[], int count)
+KINSYM_FN static int tidied(double q[][PUMA560_JOINTS], puma560_mark marks[], const double alike[], int count)
 {
     int kept = 0;
     for (int i = 0; i < count; ++i) {
@@ -666,7 +671,7 @@ static int tidied(double q[][PUMA560_JOINTS], puma560_mark marks[], const double
 }
 
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
-static int settled(double q[][PUMA560_JOINTS], puma560_mark marks[], const int found[], int count,
+KINSYM_FN static int settled(double q[][PUMA560_JOINTS], puma560_mark marks[], const int found[], int count,
     const puma560_params *p, const double M[12], double tau, double size)
 {
     double given[PUMA560_MAX_SOLUTIONS][PUMA560_JOINTS];
@@ -701,8 +706,8 @@ static int settled(double q[][PUMA560_JOINTS], puma560_mark marks[], const int f
     return tidied(q, marks, alike, kept);
 }
 
-int puma560_ik_marked(const double T[16], const puma560_params *p, const double reference[PUMA560_JOINTS],
-    double q[][PUMA560_JOINTS], puma560_mark marks[])
+KINSYM_FN int puma560_ik_marked(const double T[16], const puma560_params *p,
+    const double reference[PUMA560_JOINTS], double q[][PUMA560_JOINTS], puma560_mark marks[])
 {
     static const double zeros[PUMA560_JOINTS] = {0.0};
     if (reference == NULL) {
@@ -866,14 +871,14 @@ int puma560_ik_marked(const double T[16], const puma560_params *p, const double 
     return special ? settled(q, marks, found, count, p, M, tau, size) : count;
 }
 
-int puma560_ik_near(const double T[16], const puma560_params *p, const double reference[PUMA560_JOINTS],
-    double q[][PUMA560_JOINTS])
+KINSYM_FN int puma560_ik_near(const double T[16], const puma560_params *p,
+    const double reference[PUMA560_JOINTS], double q[][PUMA560_JOINTS])
 {
     puma560_mark marks[PUMA560_MAX_SOLUTIONS];
     return puma560_ik_marked(T, p, reference, q, marks);
 }
 
-int puma560_ik(const double T[16], const puma560_params *p, double q[][PUMA560_JOINTS])
+KINSYM_FN int puma560_ik(const double T[16], const puma560_params *p, double q[][PUMA560_JOINTS])
 {
     return puma560_ik_near(T, p, NULL, q);
 }
@@ -889,19 +894,20 @@ const char *const puma560_branches[PUMA560_MAX_SOLUTIONS] = {
     "shoulder right, elbow up, wrist not flipped",
 };
 
-const double puma560_lower[PUMA560_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
-    -HUGE_VAL};
-const double puma560_upper[PUMA560_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
+KINSYM_DATA const double puma560_lower[PUMA560_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+    -HUGE_VAL, -HUGE_VAL};
+KINSYM_DATA const double puma560_upper[PUMA560_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
+    HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "RRRRRR";
+static KINSYM_DATA const char kinds[] = "RRRRRR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[PUMA560_JOINTS])
+KINSYM_FN static int are_numbers(const double x[PUMA560_JOINTS])
 {
     for (int i = 0; x != NULL && i < PUMA560_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -912,7 +918,7 @@ static int are_numbers(const double x[PUMA560_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[PUMA560_JOINTS], const double upper[PUMA560_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[PUMA560_JOINTS], const double upper[PUMA560_JOINTS])
 {
     for (int i = 0; i < PUMA560_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -923,7 +929,7 @@ static int all_intervals(const double lower[PUMA560_JOINTS], const double upper[
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -931,18 +937,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static puma560_status status_of(puma560_mark special)
+KINSYM_FN static puma560_status status_of(puma560_mark special)
 {
     return special.free | special.border ? PUMA560_SINGULAR : PUMA560_SOLVED;
 }
 
-puma560_status puma560_solve(const double T[16], const puma560_params *p,
+KINSYM_FN puma560_status puma560_solve(const double T[16], const puma560_params *p,
     const double reference[PUMA560_JOINTS], puma560_solutions *out)
 {
     out->count = 0;
@@ -966,16 +972,16 @@ puma560_status puma560_solve(const double T[16], const puma560_params *p,
     return out->status;
 }
 
-unsigned puma560_family(unsigned free)
+KINSYM_FN unsigned puma560_family(unsigned free)
 {
     unsigned moving = free;
     moving |= (free & 8u) == 8u ? 40u : 0u;
     return moving;
 }
 
-int puma560_within(const double T[16], const puma560_params *p, const double reference[PUMA560_JOINTS],
-    const double lower[PUMA560_JOINTS], const double upper[PUMA560_JOINTS], int capacity,
-    double q[][PUMA560_JOINTS], puma560_mark marks[])
+KINSYM_FN int puma560_within(const double T[16], const puma560_params *p,
+    const double reference[PUMA560_JOINTS], const double lower[PUMA560_JOINTS],
+    const double upper[PUMA560_JOINTS], int capacity, double q[][PUMA560_JOINTS], puma560_mark marks[])
 {
     const double *low = lower == NULL ? puma560_lower : lower;
     const double *high = upper == NULL ? puma560_upper : upper;
@@ -1018,7 +1024,7 @@ int puma560_within(const double T[16], const puma560_params *p, const double ref
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-puma560_status puma560_nearest(const double T[16], const puma560_params *p,
+KINSYM_FN puma560_status puma560_nearest(const double T[16], const puma560_params *p,
     const double reference[PUMA560_JOINTS], const double weights[PUMA560_JOINTS],
     const double lower[PUMA560_JOINTS], const double upper[PUMA560_JOINTS], double q[PUMA560_JOINTS])
 {
@@ -1080,7 +1086,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -1098,18 +1104,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const puma560_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const puma560_params *p, int path, lane_block *block)
 {
     const double a2 = p->a2;
     const double a3 = p->a3;
@@ -1174,7 +1180,7 @@ static void fk_block(const puma560_params *p, int path, lane_block *block)
     }
 }
 
-void puma560_fk_batch(const double q[], int n, const puma560_params *p, double T[])
+KINSYM_FN void puma560_fk_batch(const double q[], int n, const puma560_params *p, double T[])
 {
     if (p == NULL) {
         p = &puma560_defaults;
@@ -1208,13 +1214,13 @@ void puma560_fk_batch(const double q[], int n, const puma560_params *p, double T
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart. */
-static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
 {
     const double r = sqrt(a * a + b * b);
     const double per_r = 1.0 / r;
@@ -1227,7 +1233,8 @@ static inline double lane_homogeneous(double a, double b, double t, double c[2],
 }
 
 /* The two angles with a*cos + b*sin = e. */
-static inline double lane_linear(double a, double b, double e, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_linear(double a, double b, double e, double t, double c[2], double s[2],
+    double *marked)
 {
     const double rr = a * a + b * b;
     const double r = sqrt(rr);
@@ -1246,8 +1253,8 @@ static inline double lane_linear(double a, double b, double e, double t, double 
 
 /* Two links l1, l2 that reach (x, y): the second has the components k along the first and w across it; the first sees
  * the point at (along, w). */
-static inline double lane_triangle(double x, double y, double l1, double l2, double t,
-                                   double *k, double w[2], double *along, double *marked)
+KINSYM_FN static inline double lane_triangle(double x, double y, double l1, double l2, double t, double *k, double w[2],
+    double *along, double *marked)
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -1267,8 +1274,8 @@ static inline double lane_triangle(double x, double y, double l1, double l2, dou
 }
 
 /* The angle that turns (along, across) into the direction of (x, y). */
-static inline void lane_direction(double x, double y, double along, double across, double t, double *c, double *s,
-                                  double *marked)
+KINSYM_FN static inline void lane_direction(double x, double y, double along, double across, double t, double *c,
+    double *s, double *marked)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -1283,7 +1290,7 @@ static inline void lane_direction(double x, double y, double along, double acros
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -1324,7 +1331,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const puma560_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const puma560_params *p, lane_block *block)
 {
     const double a2 = p->a2;
     const double a3 = p->a3;
@@ -1446,8 +1453,8 @@ static void solve_block(const puma560_params *p, lane_block *block)
     }
 }
 
-int puma560_ik_batch(const double T[], int n, const puma560_params *p, const double reference[PUMA560_JOINTS],
-    double q[][PUMA560_JOINTS], int counts[])
+KINSYM_FN int puma560_ik_batch(const double T[], int n, const puma560_params *p,
+    const double reference[PUMA560_JOINTS], double q[][PUMA560_JOINTS], int counts[])
 {
     if (p == NULL) {
         p = &puma560_defaults;
@@ -1481,3 +1488,7 @@ int puma560_ik_batch(const double T[], int n, const puma560_params *p, const dou
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

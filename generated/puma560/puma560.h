@@ -31,9 +31,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If PUMA560_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes puma560.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef PUMA560_H
 #define PUMA560_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -64,13 +83,14 @@ typedef struct puma560_params {
 } puma560_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const puma560_params puma560_defaults;
+extern KINSYM_DATA const puma560_params puma560_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void puma560_fk(const double q[PUMA560_JOINTS], const puma560_params *p, double T[16]);
+KINSYM_FN void puma560_fk(const double q[PUMA560_JOINTS], const puma560_params *p, double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void puma560_jacobian(const double q[PUMA560_JOINTS], const puma560_params *p, double J[6 * PUMA560_JOINTS]);
+KINSYM_FN void puma560_jacobian(const double q[PUMA560_JOINTS], const puma560_params *p,
+    double J[6 * PUMA560_JOINTS]);
 
 /*
  * Singular poses:
@@ -93,12 +113,12 @@ void puma560_jacobian(const double q[PUMA560_JOINTS], const puma560_params *p, d
  * or if one of these vanishes, which the equations take for granted: a2.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int puma560_ik(const double T[16], const puma560_params *p, double q[][PUMA560_JOINTS]);
+KINSYM_FN int puma560_ik(const double T[16], const puma560_params *p, double q[][PUMA560_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int puma560_ik_near(const double T[16], const puma560_params *p, const double reference[PUMA560_JOINTS],
-    double q[][PUMA560_JOINTS]);
+KINSYM_FN int puma560_ik_near(const double T[16], const puma560_params *p,
+    const double reference[PUMA560_JOINTS], double q[][PUMA560_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
  * PUMA560_MAX_SOLUTIONS - 1,
@@ -109,8 +129,8 @@ typedef struct puma560_mark {
 } puma560_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int puma560_ik_marked(const double T[16], const puma560_params *p, const double reference[PUMA560_JOINTS],
-    double q[][PUMA560_JOINTS], puma560_mark marks[]);
+KINSYM_FN int puma560_ik_marked(const double T[16], const puma560_params *p,
+    const double reference[PUMA560_JOINTS], double q[][PUMA560_JOINTS], puma560_mark marks[]);
 
 /* The names of the branches by their number:
  *  0: shoulder left, elbow up, wrist flipped
@@ -131,7 +151,8 @@ int puma560_ik_marked(const double T[16], const puma560_params *p, const double 
 extern const char *const puma560_branches[PUMA560_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double puma560_lower[PUMA560_JOINTS], puma560_upper[PUMA560_JOINTS];
+extern KINSYM_DATA const double puma560_lower[PUMA560_JOINTS];
+extern KINSYM_DATA const double puma560_upper[PUMA560_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct puma560_solutions {
@@ -142,12 +163,12 @@ typedef struct puma560_solutions {
 } puma560_solutions;
 
 /* ik_marked with a status, which is returned as well; PUMA560_BAD_REFERENCE if the reference is not finite. */
-puma560_status puma560_solve(const double T[16], const puma560_params *p,
+KINSYM_FN puma560_status puma560_solve(const double T[16], const puma560_params *p,
     const double reference[PUMA560_JOINTS], puma560_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned puma560_family(unsigned free);
+KINSYM_FN unsigned puma560_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -155,22 +176,22 @@ unsigned puma560_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * PUMA560_BAD_LIMIT if limits are no interval. */
-int puma560_within(const double T[16], const puma560_params *p, const double reference[PUMA560_JOINTS],
-    const double lower[PUMA560_JOINTS], const double upper[PUMA560_JOINTS], int capacity,
-    double q[][PUMA560_JOINTS], puma560_mark marks[]);
+KINSYM_FN int puma560_within(const double T[16], const puma560_params *p,
+    const double reference[PUMA560_JOINTS], const double lower[PUMA560_JOINTS],
+    const double upper[PUMA560_JOINTS], int capacity, double q[][PUMA560_JOINTS], puma560_mark marks[]);
 
 /* The solution nearest to a reference: least is the sum of weights (NULL: 1) times squared differences, over all
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. PUMA560_BAD_WEIGHT if a weight is negative or not finite. */
-puma560_status puma560_nearest(const double T[16], const puma560_params *p,
+KINSYM_FN puma560_status puma560_nearest(const double T[16], const puma560_params *p,
     const double reference[PUMA560_JOINTS], const double weights[PUMA560_JOINTS],
     const double lower[PUMA560_JOINTS], const double upper[PUMA560_JOINTS], double q[PUMA560_JOINTS]);
 
 /* Forward kinematics of n joint vectors: q has PUMA560_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void puma560_fk_batch(const double q[], int n, const puma560_params *p, double T[]);
+KINSYM_FN void puma560_fk_batch(const double q[], int n, const puma560_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -183,8 +204,8 @@ void puma560_fk_batch(const double q[], int n, const puma560_params *p, double T
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 50 kB of stack are used. */
-int puma560_ik_batch(const double T[], int n, const puma560_params *p, const double reference[PUMA560_JOINTS],
-    double q[][PUMA560_JOINTS], int counts[]);
+KINSYM_FN int puma560_ik_batch(const double T[], int n, const puma560_params *p,
+    const double reference[PUMA560_JOINTS], double q[][PUMA560_JOINTS], int counts[]);
 
 #ifdef __cplusplus
 }

@@ -24,15 +24,16 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
 double sqrt(double) __attribute__((const)); /* the library's own declaration lets it write errno */
 #endif
 
-const raven_2_params raven_2_defaults = {
+KINSYM_DATA const raven_2_params raven_2_defaults = {
     0.47, /* l4 */
     0.013, /* a5 */
 };
@@ -40,7 +41,7 @@ const raven_2_params raven_2_defaults = {
 #ifdef RAVEN_2_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -52,7 +53,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -89,7 +90,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -97,21 +99,21 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The angle half a turn away, in (-pi, pi]; what is too small to be seen beside pi counts as 0. */
-static inline double half_turn(double angle)
+KINSYM_FN static inline double half_turn(double angle)
 {
     const double pi = 3.141592653589793;
     return angle + (angle > 2.220446049250313e-16 ? -pi : pi);
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void raven_2_fk(const double q[RAVEN_2_JOINTS], const raven_2_params *p, double T[16])
+KINSYM_FN void raven_2_fk(const double q[RAVEN_2_JOINTS], const raven_2_params *p, double T[16])
 {
     if (p == NULL) {
         p = &raven_2_defaults;
@@ -171,7 +173,7 @@ void raven_2_fk(const double q[RAVEN_2_JOINTS], const raven_2_params *p, double 
     const double w16_x = c2 * w26_x + s2 * sum3;
     const double w16_y = -c2 * sum3 + s2 * w26_x;
     const double w16_z = calpha2 * w26_y + salpha2 * c5;
-    const double product7 = p26_y * salpha2;
+    const double product7 = salpha2 * p26_y;
     const double product8 = calpha2 * p26_z;
     const double sum4 = product7 + product8;
     const double p16_x = c2 * p26_x + s2 * sum4;
@@ -183,18 +185,18 @@ void raven_2_fk(const double q[RAVEN_2_JOINTS], const raven_2_params *p, double 
     const double product12 = calpha1 * v16_y;
     const double product13 = salpha1 * w16_z;
     const double product14 = calpha1 * w16_y;
-    const double product15 = p16_z * salpha1;
+    const double product15 = salpha1 * p16_z;
     const double product16 = calpha1 * p16_y;
-    const double sum5 = product10 - product9;
+    const double sum5 = product9 - product10;
     const double sum6 = product11 - product12;
     const double sum7 = product13 - product14;
     const double sum8 = product15 - product16;
 
-    T[0] = c1 * u16_x - s1 * sum5;
+    T[0] = c1 * u16_x + s1 * sum5;
     T[1] = c1 * v16_x + s1 * sum6;
     T[2] = c1 * w16_x + s1 * sum7;
     T[3] = c1 * p16_x + s1 * sum8;
-    T[4] = c1 * sum5 + s1 * u16_x;
+    T[4] = -c1 * sum5 + s1 * u16_x;
     T[5] = -c1 * sum6 + s1 * v16_x;
     T[6] = -c1 * sum7 + s1 * w16_x;
     T[7] = -c1 * sum8 + s1 * p16_x;
@@ -208,7 +210,8 @@ void raven_2_fk(const double q[RAVEN_2_JOINTS], const raven_2_params *p, double 
     T[15] = 1.0;
 }
 
-void raven_2_jacobian(const double q[RAVEN_2_JOINTS], const raven_2_params *p, double J[6 * RAVEN_2_JOINTS])
+KINSYM_FN void raven_2_jacobian(const double q[RAVEN_2_JOINTS], const raven_2_params *p,
+    double J[6 * RAVEN_2_JOINTS])
 {
     if (p == NULL) {
         p = &raven_2_defaults;
@@ -232,126 +235,126 @@ void raven_2_jacobian(const double q[RAVEN_2_JOINTS], const raven_2_params *p, d
     const double s4 = sin(theta4);
     const double c5 = cos(theta5);
     const double s5 = sin(theta5);
-    const double product7 = a5 * s5;
-    const double product24 = calpha2 * product7;
-    const double product5 = a5 * c5;
-    const double product6 = c4 * product5;
-    const double product23 = product6 * salpha2;
     const double product11 = calpha2 * d3;
     const double product14 = calpha2 * l4;
     const double sum1 = product11 - product14;
-    const double sum4 = product23 + sum1;
-    const double sum5 = product24 + sum4;
+    const double product5 = a5 * c5;
+    const double product9 = c4 * product5;
+    const double product39 = salpha2 * product9;
+    const double product6 = a5 * s5;
+    const double product31 = calpha2 * product6;
+    const double sum4 = product39 + product31;
+    const double sum27 = sum1 + sum4;
     const double product10 = c2 * s4;
-    const double product25 = product10 * product5;
-    const double sum6 = s2 * sum5 - product25;
-    const double product2 = salpha1 * salpha2;
-    const double product30 = product2 * product7;
+    const double product42 = product5 * product10;
+    const double sum5 = s2 * sum27 - product42;
     const double product4 = calpha2 * salpha1;
-    const double product29 = product4 * product6;
-    const double product8 = s2 * s4;
-    const double product16 = calpha1 * product8;
-    const double product28 = product16 * product5;
-    const double product1 = calpha1 * calpha2;
-    const double product27 = product1 * product7;
-    const double product3 = calpha1 * salpha2;
-    const double product26 = product3 * product6;
+    const double product41 = product4 * product9;
+    const double product2 = salpha2 * salpha1;
+    const double product33 = product2 * product6;
+    const double sum8 = product41 - product33;
+    const double product16 = l4 * product2;
+    const double product13 = d3 * product2;
+    const double sum3 = product16 - product13;
+    const double product1 = calpha2 * calpha1;
     const double product12 = d3 * product1;
     const double product15 = l4 * product1;
     const double sum2 = product12 - product15;
-    const double sum7 = product26 + sum2;
-    const double sum8 = product27 + sum7;
-    const double product13 = d3 * product2;
-    const double product17 = l4 * product2;
-    const double sum3 = product13 - product17;
-    const double sum9 = c2 * sum8 - sum3;
-    const double sum10 = product28 + sum9;
-    const double sum11 = product29 + sum10;
-    const double sum12 = product30 - sum11;
-    const double oE_x = c1 * sum6 - s1 * sum12;
-    const double oE_y = c1 * sum12 + s1 * sum6;
-    const double product19 = d3 * product3;
-    const double product33 = l4 * product3;
-    const double sum14 = product19 - product33;
-    const double product18 = d3 * product4;
-    const double product31 = l4 * product4;
-    const double sum13 = product18 - product31;
-    const double product32 = product8 * salpha1;
-    const double oE_z = -sum14 - c2 * (sum13 + product6 * product2 + product7 * product4)
-        - product32 * product5 + product6 * product1 - product7 * product3;
+    const double product3 = salpha2 * calpha1;
+    const double product40 = product3 * product9;
+    const double product32 = product1 * product6;
+    const double sum6 = product40 + product32;
+    const double sum28 = sum2 + sum6;
+    const double product7 = s2 * s4;
+    const double product17 = calpha1 * product7;
+    const double product46 = product5 * product17;
+    const double sum7 = c2 * sum28 + product46;
+    const double sum29 = sum3 + sum7;
+    const double sum32 = sum8 + sum29;
+    const double oE_x = c1 * sum5 + s1 * sum32;
+    const double oE_y = -c1 * sum32 + s1 * sum5;
+    const double product28 = l4 * product3;
+    const double product21 = d3 * product3;
+    const double sum10 = product28 - product21;
+    const double product29 = l4 * product4;
+    const double product22 = d3 * product4;
+    const double sum9 = product29 - product22;
+    const double product34 = salpha1 * product7;
+    const double oE_z = sum10 + c2 * (sum9 - product9 * product2 - product6 * product4) - product34 * product5
+        + product9 * product1 - product6 * product3;
     const double z2_x = salpha1 * s1;
     const double z2_y = -salpha1 * c1;
-    const double product20 = c1 * s2;
-    const double product34 = c2 * product1;
-    const double sum15 = product2 - product34;
-    const double z3_x = product20 * calpha2 - s1 * sum15;
-    const double product21 = s1 * s2;
-    const double z3_y = c1 * sum15 + product21 * calpha2;
+    const double product18 = s2 * c1;
+    const double product26 = c2 * product1;
+    const double sum11 = product26 - product2;
+    const double z3_x = product18 * calpha2 + s1 * sum11;
+    const double product19 = s2 * s1;
+    const double z3_y = -c1 * sum11 + product19 * calpha2;
     const double z3_z = -product4 * c2 - product3;
-    const double product35 = c2 * product12;
-    const double sum16 = product13 - product35;
-    const double o4_x = product20 * product11 - s1 * sum16;
-    const double o4_y = c1 * sum16 + product21 * product11;
-    const double o4_z = -product18 * c2 - product19;
-    const double product36 = c2 * c4;
-    const double product37 = product8 * salpha2;
-    const double sum17 = product36 + product37;
-    const double product40 = product4 * s4;
-    const double product38 = product10 * product3;
-    const double product22 = c4 * s2;
-    const double product39 = calpha1 * product22;
-    const double sum18 = product38 - product39;
-    const double sum19 = product40 + sum18;
-    const double z5_x = c1 * sum17 + s1 * sum19;
-    const double z5_y = -c1 * sum19 + s1 * sum17;
-    const double z5_z = product22 * salpha1 - product10 * product2 + product1 * s4;
-    const double sum20 = c2 * sum2 - sum3;
-    const double o5_x = product20 * sum1 + s1 * sum20;
-    const double o5_y = -c1 * sum20 + product21 * sum1;
-    const double o5_z = -sum14 - c2 * sum13;
-    const double product9 = c4 * s5;
-    const double product41 = product9 * salpha2;
-    const double product42 = c5 * calpha2;
-    const double sum21 = product41 - product42;
-    const double product43 = product10 * s5;
-    const double sum22 = s2 * sum21 - product43;
-    const double product48 = c5 * product2;
-    const double product47 = product4 * product9;
-    const double product44 = product3 * product9;
-    const double product45 = c5 * product1;
-    const double sum23 = product44 - product45;
-    const double product46 = product16 * s5;
-    const double sum24 = c2 * sum23 + product46;
-    const double sum25 = product47 + sum24;
-    const double sum26 = product48 + sum25;
-    const double z6_x = c1 * sum22 + s1 * sum26;
-    const double z6_y = -c1 * sum26 + s1 * sum22;
-    const double z6_z = c2 * (product4 * c5 - product9 * product2) - product32 * s5 + product9 * product1
+    const double product45 = c2 * product12;
+    const double sum12 = product13 - product45;
+    const double o4_x = product18 * product11 - s1 * sum12;
+    const double o4_y = c1 * sum12 + product19 * product11;
+    const double o4_z = -product22 * c2 - product21;
+    const double product24 = c4 * c2;
+    const double product35 = salpha2 * product7;
+    const double sum13 = product24 + product35;
+    const double product30 = s4 * product4;
+    const double product43 = product3 * product10;
+    const double product20 = c4 * s2;
+    const double product48 = calpha1 * product20;
+    const double sum14 = product43 - product48;
+    const double sum30 = product30 + sum14;
+    const double z5_x = c1 * sum13 + s1 * sum30;
+    const double z5_y = -c1 * sum30 + s1 * sum13;
+    const double z5_z = product20 * salpha1 - product10 * product2 + product1 * s4;
+    const double sum26 = c2 * sum2 + sum3;
+    const double o5_x = product18 * sum1 + s1 * sum26;
+    const double o5_y = -c1 * sum26 + product19 * sum1;
+    const double o5_z = sum10 + c2 * sum9;
+    const double product8 = c4 * s5;
+    const double product36 = salpha2 * product8;
+    const double product23 = c5 * calpha2;
+    const double sum15 = product36 - product23;
+    const double product44 = s5 * product10;
+    const double sum16 = s2 * sum15 - product44;
+    const double product37 = product3 * product8;
+    const double product25 = c5 * product1;
+    const double sum17 = product37 - product25;
+    const double product47 = s5 * product17;
+    const double sum18 = c2 * sum17 + product47;
+    const double product38 = product4 * product8;
+    const double product27 = c5 * product2;
+    const double sum19 = product38 + product27;
+    const double sum31 = sum18 + sum19;
+    const double z6_x = c1 * sum16 + s1 * sum31;
+    const double z6_y = -c1 * sum31 + s1 * sum16;
+    const double z6_z = c2 * (product4 * c5 - product8 * product2) - product34 * s5 + product8 * product1
         + product3 * c5;
-    const double sum27 = o4_z - oE_z;
-    const double sum28 = o4_y - oE_y;
-    const double sum29 = o5_z - oE_z;
-    const double sum30 = o5_y - oE_y;
-    const double sum31 = o4_x - oE_x;
-    const double sum32 = o5_x - oE_x;
+    const double sum20 = oE_z - o4_z;
+    const double sum21 = oE_y - o4_y;
+    const double sum22 = oE_z - o5_z;
+    const double sum23 = oE_y - o5_y;
+    const double sum24 = oE_x - o4_x;
+    const double sum25 = oE_x - o5_x;
 
     J[0] = -oE_y;
     J[1] = z2_y * oE_z - calpha1 * oE_y;
     J[2] = z3_x;
-    J[3] = -z3_y * sum27 + z3_z * sum28;
-    J[4] = -z5_y * sum29 + z5_z * sum30;
+    J[3] = z3_y * sum20 - z3_z * sum21;
+    J[4] = z5_y * sum22 - z5_z * sum23;
     J[5] = 0.0;
     J[6] = oE_x;
     J[7] = calpha1 * oE_x - z2_x * oE_z;
     J[8] = z3_y;
-    J[9] = -z3_z * sum31 + z3_x * sum27;
-    J[10] = -z5_z * sum32 + z5_x * sum29;
+    J[9] = z3_z * sum24 - z3_x * sum20;
+    J[10] = z5_z * sum25 - z5_x * sum22;
     J[11] = 0.0;
     J[12] = 0.0;
     J[13] = z2_x * oE_y - z2_y * oE_x;
     J[14] = z3_z;
-    J[15] = -z3_x * sum28 + z3_y * sum31;
-    J[16] = -z5_x * sum30 + z5_y * sum32;
+    J[15] = z3_x * sum21 - z3_y * sum24;
+    J[16] = z5_x * sum23 - z5_y * sum25;
     J[17] = 0.0;
     J[18] = 0.0;
     J[19] = z2_x;
@@ -384,7 +387,7 @@ void raven_2_jacobian(const double q[RAVEN_2_JOINTS], const raven_2_params *p, d
 #define NEAR 67108864.0
 
 /* The angle with d*cos = x and d*sin = y; free if the vector (x, y) vanishes. */
-static int solve_quotient(double x, double y, double d, double t, double reference, double *c, double *s)
+KINSYM_FN static int solve_quotient(double x, double y, double d, double t, double reference, double *c, double *s)
 {
     const double r = sqrt(x * x + y * y);
     if (r <= t) {
@@ -399,7 +402,8 @@ static int solve_quotient(double x, double y, double d, double t, double referen
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2],
+    int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
@@ -419,8 +423,8 @@ static int solve_homogeneous(double a, double b, double t, double reference, dou
 
 /* The angles with a*cos + b*sin = e: two; one on the border, where they meet; one, free, if a, b, e vanish. Beyond
  * the border there is none, but just beyond it, or anywhere if loose, one in doubt. */
-static int solve_linear(double a, double b, double e, double t, double reference, int loose,
-                        double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_linear(double a, double b, double e, double t, double reference, int loose, double c[2],
+    double s[2], int mark[2])
 {
     const double rr = a * a + b * b;
     const double r = sqrt(rr);
@@ -454,7 +458,7 @@ static int solve_linear(double a, double b, double e, double t, double reference
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -495,7 +499,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -511,13 +515,13 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether every parameter has a finite value. */
-static int usable(const raven_2_params *p)
+KINSYM_FN static int usable(const raven_2_params *p)
 {
     return isfinite(p->l4) && isfinite(p->a5);
 }
 
 /* Whether all joint values are numbers; lengths near the limits of double precision can overflow on the way. */
-static int all_finite(const double q[RAVEN_2_JOINTS])
+KINSYM_FN static int all_finite(const double q[RAVEN_2_JOINTS])
 {
     for (int i = 0; i < RAVEN_2_JOINTS; ++i) {
         if (!isfinite(q[i])) {
@@ -529,13 +533,13 @@ static int all_finite(const double q[RAVEN_2_JOINTS])
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 12
-static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+static KINSYM_DATA const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
 
 /* Whether a joint slides. */
-static const int slides[RAVEN_2_JOINTS] = {0, 0, 1, 0, 0, 0};
+static KINSYM_DATA const int slides[RAVEN_2_JOINTS] = {0, 0, 1, 0, 0, 0};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[RAVEN_2_JOINTS], const raven_2_params *p, const double M[12],
+KINSYM_FN static double distance(const double q[RAVEN_2_JOINTS], const raven_2_params *p, const double M[12],
     double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
@@ -549,7 +553,7 @@ static double distance(const double q[RAVEN_2_JOINTS], const raven_2_params *p, 
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[RAVEN_2_JOINTS], const raven_2_params *p, double size,
+KINSYM_FN static void slopes(const double q[RAVEN_2_JOINTS], const raven_2_params *p, double size,
     double D[ENTRIES][RAVEN_2_JOINTS])
 {
     double T[16], J[6 * RAVEN_2_JOINTS];
@@ -569,7 +573,7 @@ static void slopes(const double q[RAVEN_2_JOINTS], const raven_2_params *p, doub
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][RAVEN_2_JOINTS], const double e[ENTRIES], double damping,
+KINSYM_FN static void step(double D[ENTRIES][RAVEN_2_JOINTS], const double e[ENTRIES], double damping,
     double g[RAVEN_2_JOINTS])
 {
     double A[RAVEN_2_JOINTS + 1][ENTRIES + RAVEN_2_JOINTS];
@@ -602,7 +606,8 @@ static void step(double D[ENTRIES][RAVEN_2_JOINTS], const double e[ENTRIES], dou
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[RAVEN_2_JOINTS], const raven_2_params *p, const double M[12], double size)
+KINSYM_FN static double polish(double q[RAVEN_2_JOINTS], const raven_2_params *p, const double M[12],
+    double size)
 {
     double e[ENTRIES], D[ENTRIES][RAVEN_2_JOINTS], g[RAVEN_2_JOINTS], trial[RAVEN_2_JOINTS];
     double left = distance(q, p, M, size, e), caution = 1.0;
@@ -631,8 +636,8 @@ static double polish(double q[RAVEN_2_JOINTS], const raven_2_params *p, const do
  * Where two borders cross the distance is stationary, and a second start lies beside it. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
-static int settle(double q[][RAVEN_2_JOINTS], raven_2_mark marks[], double alike[], unsigned twin, int mark,
-    const raven_2_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settle(double q[][RAVEN_2_JOINTS], raven_2_mark marks[], double alike[], unsigned twin,
+    int mark, const raven_2_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[RAVEN_2_JOINTS], other[RAVEN_2_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -676,7 +681,7 @@ static int settle(double q[][RAVEN_2_JOINTS], raven_2_mark marks[], double alike
 
 /* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
  * alike tells, and puts the rest in the order of their branches; returns how many are left. */
-static int tidied(double q[][RAVEN_2_JOINTS], raven_2_mark marks[], const double alike[], int count,
+KINSYM_FN static int tidied(double q[][RAVEN_2_JOINTS], raven_2_mark marks[], const double alike[], int count,
     double size)
 {
     int kept = 0;
@@ -713,7 +718,7 @@ static int tidied(double q[][RAVEN_2_JOINTS], raven_2_mark marks[], const double
 }
 
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
-static int settled(double q[][RAVEN_2_JOINTS], raven_2_mark marks[], const int found[], int count,
+KINSYM_FN static int settled(double q[][RAVEN_2_JOINTS], raven_2_mark marks[], const int found[], int count,
     const raven_2_params *p, const double M[12], double tau, double size)
 {
     double given[RAVEN_2_MAX_SOLUTIONS][RAVEN_2_JOINTS];
@@ -747,8 +752,8 @@ static int settled(double q[][RAVEN_2_JOINTS], raven_2_mark marks[], const int f
     return tidied(q, marks, alike, kept, size);
 }
 
-int raven_2_ik_marked(const double T[16], const raven_2_params *p, const double reference[RAVEN_2_JOINTS],
-    double q[][RAVEN_2_JOINTS], raven_2_mark marks[])
+KINSYM_FN int raven_2_ik_marked(const double T[16], const raven_2_params *p,
+    const double reference[RAVEN_2_JOINTS], double q[][RAVEN_2_JOINTS], raven_2_mark marks[])
 {
     static const double zeros[RAVEN_2_JOINTS] = {0.0};
     if (reference == NULL) {
@@ -920,14 +925,14 @@ int raven_2_ik_marked(const double T[16], const raven_2_params *p, const double 
     return special ? settled(q, marks, found, count, p, M, tau, size) : count;
 }
 
-int raven_2_ik_near(const double T[16], const raven_2_params *p, const double reference[RAVEN_2_JOINTS],
-    double q[][RAVEN_2_JOINTS])
+KINSYM_FN int raven_2_ik_near(const double T[16], const raven_2_params *p,
+    const double reference[RAVEN_2_JOINTS], double q[][RAVEN_2_JOINTS])
 {
     raven_2_mark marks[RAVEN_2_MAX_SOLUTIONS];
     return raven_2_ik_marked(T, p, reference, q, marks);
 }
 
-int raven_2_ik(const double T[16], const raven_2_params *p, double q[][RAVEN_2_JOINTS])
+KINSYM_FN int raven_2_ik(const double T[16], const raven_2_params *p, double q[][RAVEN_2_JOINTS])
 {
     return raven_2_ik_near(T, p, NULL, q);
 }
@@ -943,19 +948,20 @@ const char *const raven_2_branches[RAVEN_2_MAX_SOLUTIONS] = {
     "theta6 -, theta5 -, shoulder not flipped",
 };
 
-const double raven_2_lower[RAVEN_2_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
-    -HUGE_VAL};
-const double raven_2_upper[RAVEN_2_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
+KINSYM_DATA const double raven_2_lower[RAVEN_2_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+    -HUGE_VAL, -HUGE_VAL};
+KINSYM_DATA const double raven_2_upper[RAVEN_2_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
+    HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "RRPRRR";
+static KINSYM_DATA const char kinds[] = "RRPRRR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[RAVEN_2_JOINTS])
+KINSYM_FN static int are_numbers(const double x[RAVEN_2_JOINTS])
 {
     for (int i = 0; x != NULL && i < RAVEN_2_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -966,7 +972,7 @@ static int are_numbers(const double x[RAVEN_2_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[RAVEN_2_JOINTS], const double upper[RAVEN_2_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[RAVEN_2_JOINTS], const double upper[RAVEN_2_JOINTS])
 {
     for (int i = 0; i < RAVEN_2_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -977,7 +983,7 @@ static int all_intervals(const double lower[RAVEN_2_JOINTS], const double upper[
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -985,18 +991,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static raven_2_status status_of(raven_2_mark special)
+KINSYM_FN static raven_2_status status_of(raven_2_mark special)
 {
     return special.free | special.border ? RAVEN_2_SINGULAR : RAVEN_2_SOLVED;
 }
 
-raven_2_status raven_2_solve(const double T[16], const raven_2_params *p,
+KINSYM_FN raven_2_status raven_2_solve(const double T[16], const raven_2_params *p,
     const double reference[RAVEN_2_JOINTS], raven_2_solutions *out)
 {
     out->count = 0;
@@ -1020,7 +1026,7 @@ raven_2_status raven_2_solve(const double T[16], const raven_2_params *p,
     return out->status;
 }
 
-unsigned raven_2_family(unsigned free)
+KINSYM_FN unsigned raven_2_family(unsigned free)
 {
     unsigned moving = free;
     moving |= (free & 16u) == 16u ? 27u : 0u;
@@ -1028,9 +1034,9 @@ unsigned raven_2_family(unsigned free)
     return moving;
 }
 
-int raven_2_within(const double T[16], const raven_2_params *p, const double reference[RAVEN_2_JOINTS],
-    const double lower[RAVEN_2_JOINTS], const double upper[RAVEN_2_JOINTS], int capacity,
-    double q[][RAVEN_2_JOINTS], raven_2_mark marks[])
+KINSYM_FN int raven_2_within(const double T[16], const raven_2_params *p,
+    const double reference[RAVEN_2_JOINTS], const double lower[RAVEN_2_JOINTS],
+    const double upper[RAVEN_2_JOINTS], int capacity, double q[][RAVEN_2_JOINTS], raven_2_mark marks[])
 {
     const double *low = lower == NULL ? raven_2_lower : lower;
     const double *high = upper == NULL ? raven_2_upper : upper;
@@ -1073,7 +1079,7 @@ int raven_2_within(const double T[16], const raven_2_params *p, const double ref
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-raven_2_status raven_2_nearest(const double T[16], const raven_2_params *p,
+KINSYM_FN raven_2_status raven_2_nearest(const double T[16], const raven_2_params *p,
     const double reference[RAVEN_2_JOINTS], const double weights[RAVEN_2_JOINTS],
     const double lower[RAVEN_2_JOINTS], const double upper[RAVEN_2_JOINTS], double q[RAVEN_2_JOINTS])
 {
@@ -1135,7 +1141,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -1153,18 +1159,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const raven_2_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const raven_2_params *p, int path, lane_block *block)
 {
     const double l4 = p->l4;
     const double a5 = p->a5;
@@ -1229,7 +1235,7 @@ static void fk_block(const raven_2_params *p, int path, lane_block *block)
         const double w16_x = c2 * w26_x + s2 * sum3;
         const double w16_y = -c2 * sum3 + s2 * w26_x;
         const double w16_z = calpha2 * w26_y + salpha2 * c5;
-        const double product7 = p26_y * salpha2;
+        const double product7 = salpha2 * p26_y;
         const double product8 = calpha2 * p26_z;
         const double sum4 = product7 + product8;
         const double p16_x = c2 * p26_x + s2 * sum4;
@@ -1241,17 +1247,17 @@ static void fk_block(const raven_2_params *p, int path, lane_block *block)
         const double product12 = calpha1 * v16_y;
         const double product13 = salpha1 * w16_z;
         const double product14 = calpha1 * w16_y;
-        const double product15 = p16_z * salpha1;
+        const double product15 = salpha1 * p16_z;
         const double product16 = calpha1 * p16_y;
-        const double sum5 = product10 - product9;
+        const double sum5 = product9 - product10;
         const double sum6 = product11 - product12;
         const double sum7 = product13 - product14;
         const double sum8 = product15 - product16;
-        block->T[0][k] = c1 * u16_x - s1 * sum5;
+        block->T[0][k] = c1 * u16_x + s1 * sum5;
         block->T[1][k] = c1 * v16_x + s1 * sum6;
         block->T[2][k] = c1 * w16_x + s1 * sum7;
         block->T[3][k] = c1 * p16_x + s1 * sum8;
-        block->T[4][k] = c1 * sum5 + s1 * u16_x;
+        block->T[4][k] = -c1 * sum5 + s1 * u16_x;
         block->T[5][k] = -c1 * sum6 + s1 * v16_x;
         block->T[6][k] = -c1 * sum7 + s1 * w16_x;
         block->T[7][k] = -c1 * sum8 + s1 * p16_x;
@@ -1262,7 +1268,7 @@ static void fk_block(const raven_2_params *p, int path, lane_block *block)
     }
 }
 
-void raven_2_fk_batch(const double q[], int n, const raven_2_params *p, double T[])
+KINSYM_FN void raven_2_fk_batch(const double q[], int n, const raven_2_params *p, double T[])
 {
     if (p == NULL) {
         p = &raven_2_defaults;
@@ -1296,13 +1302,13 @@ void raven_2_fk_batch(const double q[], int n, const raven_2_params *p, double T
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* The angle with d*cos = x and d*sin = y. */
-static inline void lane_quotient(double x, double y, double d, double t, double *c, double *s, double *marked)
+KINSYM_FN static inline void lane_quotient(double x, double y, double d, double t, double *c, double *s, double *marked)
 {
     const double r = sqrt(x * x + y * y);
     const double per_r = 1.0 / (d < 0.0 ? -r : r);
@@ -1312,7 +1318,7 @@ static inline void lane_quotient(double x, double y, double d, double t, double 
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart. */
-static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
 {
     const double r = sqrt(a * a + b * b);
     const double per_r = 1.0 / r;
@@ -1325,7 +1331,8 @@ static inline double lane_homogeneous(double a, double b, double t, double c[2],
 }
 
 /* The two angles with a*cos + b*sin = e. */
-static inline double lane_linear(double a, double b, double e, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_linear(double a, double b, double e, double t, double c[2], double s[2],
+    double *marked)
 {
     const double rr = a * a + b * b;
     const double r = sqrt(rr);
@@ -1344,7 +1351,7 @@ static inline double lane_linear(double a, double b, double e, double t, double 
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -1385,7 +1392,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const raven_2_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const raven_2_params *p, lane_block *block)
 {
     const double l4 = p->l4;
     const double a5 = p->a5;
@@ -1546,8 +1553,8 @@ static void solve_block(const raven_2_params *p, lane_block *block)
     }
 }
 
-int raven_2_ik_batch(const double T[], int n, const raven_2_params *p, const double reference[RAVEN_2_JOINTS],
-    double q[][RAVEN_2_JOINTS], int counts[])
+KINSYM_FN int raven_2_ik_batch(const double T[], int n, const raven_2_params *p,
+    const double reference[RAVEN_2_JOINTS], double q[][RAVEN_2_JOINTS], int counts[])
 {
     if (p == NULL) {
         p = &raven_2_defaults;
@@ -1581,3 +1588,7 @@ int raven_2_ik_batch(const double T[], int n, const raven_2_params *p, const dou
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

@@ -31,9 +31,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If RAVEN_2_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes raven_2.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef RAVEN_2_H
 #define RAVEN_2_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -62,13 +81,14 @@ typedef struct raven_2_params {
 } raven_2_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const raven_2_params raven_2_defaults;
+extern KINSYM_DATA const raven_2_params raven_2_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void raven_2_fk(const double q[RAVEN_2_JOINTS], const raven_2_params *p, double T[16]);
+KINSYM_FN void raven_2_fk(const double q[RAVEN_2_JOINTS], const raven_2_params *p, double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void raven_2_jacobian(const double q[RAVEN_2_JOINTS], const raven_2_params *p, double J[6 * RAVEN_2_JOINTS]);
+KINSYM_FN void raven_2_jacobian(const double q[RAVEN_2_JOINTS], const raven_2_params *p,
+    double J[6 * RAVEN_2_JOINTS]);
 
 /*
  * Singular poses:
@@ -89,12 +109,12 @@ void raven_2_jacobian(const double q[RAVEN_2_JOINTS], const raven_2_params *p, d
  * RAVEN_2_BAD_PARAMETER if a parameter is not finite.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int raven_2_ik(const double T[16], const raven_2_params *p, double q[][RAVEN_2_JOINTS]);
+KINSYM_FN int raven_2_ik(const double T[16], const raven_2_params *p, double q[][RAVEN_2_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int raven_2_ik_near(const double T[16], const raven_2_params *p, const double reference[RAVEN_2_JOINTS],
-    double q[][RAVEN_2_JOINTS]);
+KINSYM_FN int raven_2_ik_near(const double T[16], const raven_2_params *p,
+    const double reference[RAVEN_2_JOINTS], double q[][RAVEN_2_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
  * RAVEN_2_MAX_SOLUTIONS - 1,
@@ -105,8 +125,8 @@ typedef struct raven_2_mark {
 } raven_2_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int raven_2_ik_marked(const double T[16], const raven_2_params *p, const double reference[RAVEN_2_JOINTS],
-    double q[][RAVEN_2_JOINTS], raven_2_mark marks[]);
+KINSYM_FN int raven_2_ik_marked(const double T[16], const raven_2_params *p,
+    const double reference[RAVEN_2_JOINTS], double q[][RAVEN_2_JOINTS], raven_2_mark marks[]);
 
 /* The names of the branches by their number:
  *  0: theta6 +, theta5 +, shoulder flipped
@@ -124,7 +144,8 @@ int raven_2_ik_marked(const double T[16], const raven_2_params *p, const double 
 extern const char *const raven_2_branches[RAVEN_2_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double raven_2_lower[RAVEN_2_JOINTS], raven_2_upper[RAVEN_2_JOINTS];
+extern KINSYM_DATA const double raven_2_lower[RAVEN_2_JOINTS];
+extern KINSYM_DATA const double raven_2_upper[RAVEN_2_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct raven_2_solutions {
@@ -135,12 +156,12 @@ typedef struct raven_2_solutions {
 } raven_2_solutions;
 
 /* ik_marked with a status, which is returned as well; RAVEN_2_BAD_REFERENCE if the reference is not finite. */
-raven_2_status raven_2_solve(const double T[16], const raven_2_params *p,
+KINSYM_FN raven_2_status raven_2_solve(const double T[16], const raven_2_params *p,
     const double reference[RAVEN_2_JOINTS], raven_2_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned raven_2_family(unsigned free);
+KINSYM_FN unsigned raven_2_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -148,22 +169,22 @@ unsigned raven_2_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * RAVEN_2_BAD_LIMIT if limits are no interval. */
-int raven_2_within(const double T[16], const raven_2_params *p, const double reference[RAVEN_2_JOINTS],
-    const double lower[RAVEN_2_JOINTS], const double upper[RAVEN_2_JOINTS], int capacity,
-    double q[][RAVEN_2_JOINTS], raven_2_mark marks[]);
+KINSYM_FN int raven_2_within(const double T[16], const raven_2_params *p,
+    const double reference[RAVEN_2_JOINTS], const double lower[RAVEN_2_JOINTS],
+    const double upper[RAVEN_2_JOINTS], int capacity, double q[][RAVEN_2_JOINTS], raven_2_mark marks[]);
 
 /* The solution nearest to a reference: least is the sum of weights (NULL: 1) times squared differences, over all
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. RAVEN_2_BAD_WEIGHT if a weight is negative or not finite. */
-raven_2_status raven_2_nearest(const double T[16], const raven_2_params *p,
+KINSYM_FN raven_2_status raven_2_nearest(const double T[16], const raven_2_params *p,
     const double reference[RAVEN_2_JOINTS], const double weights[RAVEN_2_JOINTS],
     const double lower[RAVEN_2_JOINTS], const double upper[RAVEN_2_JOINTS], double q[RAVEN_2_JOINTS]);
 
 /* Forward kinematics of n joint vectors: q has RAVEN_2_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void raven_2_fk_batch(const double q[], int n, const raven_2_params *p, double T[]);
+KINSYM_FN void raven_2_fk_batch(const double q[], int n, const raven_2_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -176,8 +197,8 @@ void raven_2_fk_batch(const double q[], int n, const raven_2_params *p, double T
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 60 kB of stack are used. */
-int raven_2_ik_batch(const double T[], int n, const raven_2_params *p, const double reference[RAVEN_2_JOINTS],
-    double q[][RAVEN_2_JOINTS], int counts[]);
+KINSYM_FN int raven_2_ik_batch(const double T[], int n, const raven_2_params *p,
+    const double reference[RAVEN_2_JOINTS], double q[][RAVEN_2_JOINTS], int counts[]);
 
 #ifdef __cplusplus
 }

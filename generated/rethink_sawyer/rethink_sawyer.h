@@ -34,9 +34,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If RETHINK_SAWYER_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes rethink_sawyer.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef RETHINK_SAWYER_H
 #define RETHINK_SAWYER_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -74,13 +93,14 @@ typedef struct rethink_sawyer_params {
 
 /* The values of the table; they are taken where a function is given p = NULL. Locked joints have none (NaN), so the
  * inverse kinematics needs a copy in which they are set. */
-extern const rethink_sawyer_params rethink_sawyer_defaults;
+extern KINSYM_DATA const rethink_sawyer_params rethink_sawyer_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void rethink_sawyer_fk(const double q[RETHINK_SAWYER_JOINTS], const rethink_sawyer_params *p, double T[16]);
+KINSYM_FN void rethink_sawyer_fk(const double q[RETHINK_SAWYER_JOINTS], const rethink_sawyer_params *p,
+    double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void rethink_sawyer_jacobian(const double q[RETHINK_SAWYER_JOINTS], const rethink_sawyer_params *p,
+KINSYM_FN void rethink_sawyer_jacobian(const double q[RETHINK_SAWYER_JOINTS], const rethink_sawyer_params *p,
     double J[6 * RETHINK_SAWYER_JOINTS]);
 
 /*
@@ -99,10 +119,11 @@ void rethink_sawyer_jacobian(const double q[RETHINK_SAWYER_JOINTS], const rethin
  * Roots of a polynomial of degree 16, each polished until the pose agrees within 1e-10 of the arm's
  * size, as a rule within rounding. Where two solutions meet, at the border of the workspace, one is returned. Where
  * a joint is free there is a continuum of solutions, of which some are found. About 25 kB of stack are used. */
-int rethink_sawyer_ik(const double T[16], const rethink_sawyer_params *p, double q[][RETHINK_SAWYER_JOINTS]);
+KINSYM_FN int rethink_sawyer_ik(const double T[16], const rethink_sawyer_params *p,
+    double q[][RETHINK_SAWYER_JOINTS]);
 
 /* The same: the reference is there so that every arm is called alike, and is not read. */
-int rethink_sawyer_ik_near(const double T[16], const rethink_sawyer_params *p,
+KINSYM_FN int rethink_sawyer_ik_near(const double T[16], const rethink_sawyer_params *p,
     const double reference[RETHINK_SAWYER_JOINTS], double q[][RETHINK_SAWYER_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the order of the solutions; free and border are
@@ -112,7 +133,7 @@ typedef struct rethink_sawyer_mark {
 } rethink_sawyer_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int rethink_sawyer_ik_marked(const double T[16], const rethink_sawyer_params *p,
+KINSYM_FN int rethink_sawyer_ik_marked(const double T[16], const rethink_sawyer_params *p,
     const double reference[RETHINK_SAWYER_JOINTS], double q[][RETHINK_SAWYER_JOINTS],
     rethink_sawyer_mark marks[]);
 
@@ -137,7 +158,8 @@ int rethink_sawyer_ik_marked(const double T[16], const rethink_sawyer_params *p,
 extern const char *const rethink_sawyer_branches[RETHINK_SAWYER_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double rethink_sawyer_lower[RETHINK_SAWYER_JOINTS], rethink_sawyer_upper[RETHINK_SAWYER_JOINTS];
+extern KINSYM_DATA const double rethink_sawyer_lower[RETHINK_SAWYER_JOINTS];
+extern KINSYM_DATA const double rethink_sawyer_upper[RETHINK_SAWYER_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct rethink_sawyer_solutions {
@@ -148,12 +170,12 @@ typedef struct rethink_sawyer_solutions {
 } rethink_sawyer_solutions;
 
 /* ik_marked with a status, which is returned as well; RETHINK_SAWYER_BAD_REFERENCE if the reference is not finite. */
-rethink_sawyer_status rethink_sawyer_solve(const double T[16], const rethink_sawyer_params *p,
+KINSYM_FN rethink_sawyer_status rethink_sawyer_solve(const double T[16], const rethink_sawyer_params *p,
     const double reference[RETHINK_SAWYER_JOINTS], rethink_sawyer_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned rethink_sawyer_family(unsigned free);
+KINSYM_FN unsigned rethink_sawyer_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of the joints solved for that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -161,7 +183,7 @@ unsigned rethink_sawyer_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * RETHINK_SAWYER_BAD_LIMIT if limits are no interval. */
-int rethink_sawyer_within(const double T[16], const rethink_sawyer_params *p,
+KINSYM_FN int rethink_sawyer_within(const double T[16], const rethink_sawyer_params *p,
     const double reference[RETHINK_SAWYER_JOINTS], const double lower[RETHINK_SAWYER_JOINTS],
     const double upper[RETHINK_SAWYER_JOINTS], int capacity, double q[][RETHINK_SAWYER_JOINTS],
     rethink_sawyer_mark marks[]);
@@ -170,7 +192,7 @@ int rethink_sawyer_within(const double T[16], const rethink_sawyer_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. RETHINK_SAWYER_BAD_WEIGHT if a weight is negative or not finite. */
-rethink_sawyer_status rethink_sawyer_nearest(const double T[16], const rethink_sawyer_params *p,
+KINSYM_FN rethink_sawyer_status rethink_sawyer_nearest(const double T[16], const rethink_sawyer_params *p,
     const double reference[RETHINK_SAWYER_JOINTS], const double weights[RETHINK_SAWYER_JOINTS],
     const double lower[RETHINK_SAWYER_JOINTS], const double upper[RETHINK_SAWYER_JOINTS],
     double q[RETHINK_SAWYER_JOINTS]);
@@ -178,7 +200,7 @@ rethink_sawyer_status rethink_sawyer_nearest(const double T[16], const rethink_s
 /* Forward kinematics of n joint vectors: q has RETHINK_SAWYER_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void rethink_sawyer_fk_batch(const double q[], int n, const rethink_sawyer_params *p, double T[]);
+KINSYM_FN void rethink_sawyer_fk_batch(const double q[], int n, const rethink_sawyer_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -189,7 +211,7 @@ void rethink_sawyer_fk_batch(const double q[], int n, const rethink_sawyer_param
  * theta3_values has theta3 for each pose, or is NULL: then p has it for all.
  *
  * This arm's solver searches for roots pose by pose: this is a loop over ik_near. */
-int rethink_sawyer_ik_batch(const double T[], int n, const rethink_sawyer_params *p,
+KINSYM_FN int rethink_sawyer_ik_batch(const double T[], int n, const rethink_sawyer_params *p,
     const double reference[RETHINK_SAWYER_JOINTS], const double theta3_values[],
     double q[][RETHINK_SAWYER_JOINTS], int counts[]);
 
@@ -197,7 +219,7 @@ int rethink_sawyer_ik_batch(const double T[], int n, const rethink_sawyer_params
  * k * RETHINK_SAWYER_MAX_SOLUTIONS on
  * (q needs room for so many of each value), and counts[k] is their number. Returns the sum of the numbers, or what ik
  * returns where it is negative. */
-int rethink_sawyer_ik_sweep_theta3(const double T[16], const rethink_sawyer_params *p,
+KINSYM_FN int rethink_sawyer_ik_sweep_theta3(const double T[16], const rethink_sawyer_params *p,
     const double reference[RETHINK_SAWYER_JOINTS], const double values[], int steps,
     double q[][RETHINK_SAWYER_JOINTS], int counts[]);
 

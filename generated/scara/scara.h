@@ -30,9 +30,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If SCARA_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes scara.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef SCARA_H
 #define SCARA_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -64,10 +83,11 @@ typedef struct scara_params {
 
 /* Forward kinematics: the pose T of the joint vector q. With p = NULL every entry is NaN, here and in the
  * Jacobian: the table has no value for a1, d1, a2, d4. */
-void scara_fk(const double q[SCARA_JOINTS], const scara_params *p, double T[16]);
+KINSYM_FN void scara_fk(const double q[SCARA_JOINTS], const scara_params *p, double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void scara_jacobian(const double q[SCARA_JOINTS], const scara_params *p, double J[6 * SCARA_JOINTS]);
+KINSYM_FN void scara_jacobian(const double q[SCARA_JOINTS], const scara_params *p,
+    double J[6 * SCARA_JOINTS]);
 
 /*
  * Singular poses:
@@ -85,11 +105,11 @@ void scara_jacobian(const double q[SCARA_JOINTS], const scara_params *p, double 
  * or if one of these vanishes, which the equations take for granted: a1, a2.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int scara_ik(const double T[16], const scara_params *p, double q[][SCARA_JOINTS]);
+KINSYM_FN int scara_ik(const double T[16], const scara_params *p, double q[][SCARA_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int scara_ik_near(const double T[16], const scara_params *p, const double reference[SCARA_JOINTS],
+KINSYM_FN int scara_ik_near(const double T[16], const scara_params *p, const double reference[SCARA_JOINTS],
     double q[][SCARA_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -101,7 +121,7 @@ typedef struct scara_mark {
 } scara_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int scara_ik_marked(const double T[16], const scara_params *p, const double reference[SCARA_JOINTS],
+KINSYM_FN int scara_ik_marked(const double T[16], const scara_params *p, const double reference[SCARA_JOINTS],
     double q[][SCARA_JOINTS], scara_mark marks[]);
 
 /* The names of the branches by their number:
@@ -112,7 +132,8 @@ int scara_ik_marked(const double T[16], const scara_params *p, const double refe
 extern const char *const scara_branches[SCARA_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double scara_lower[SCARA_JOINTS], scara_upper[SCARA_JOINTS];
+extern KINSYM_DATA const double scara_lower[SCARA_JOINTS];
+extern KINSYM_DATA const double scara_upper[SCARA_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct scara_solutions {
@@ -123,12 +144,12 @@ typedef struct scara_solutions {
 } scara_solutions;
 
 /* ik_marked with a status, which is returned as well; SCARA_BAD_REFERENCE if the reference is not finite. */
-scara_status scara_solve(const double T[16], const scara_params *p, const double reference[SCARA_JOINTS],
-    scara_solutions *out);
+KINSYM_FN scara_status scara_solve(const double T[16], const scara_params *p,
+    const double reference[SCARA_JOINTS], scara_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned scara_family(unsigned free);
+KINSYM_FN unsigned scara_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -136,7 +157,7 @@ unsigned scara_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * SCARA_BAD_LIMIT if limits are no interval. */
-int scara_within(const double T[16], const scara_params *p, const double reference[SCARA_JOINTS],
+KINSYM_FN int scara_within(const double T[16], const scara_params *p, const double reference[SCARA_JOINTS],
     const double lower[SCARA_JOINTS], const double upper[SCARA_JOINTS], int capacity,
     double q[][SCARA_JOINTS], scara_mark marks[]);
 
@@ -144,14 +165,14 @@ int scara_within(const double T[16], const scara_params *p, const double referen
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. SCARA_BAD_WEIGHT if a weight is negative or not finite. */
-scara_status scara_nearest(const double T[16], const scara_params *p, const double reference[SCARA_JOINTS],
-    const double weights[SCARA_JOINTS], const double lower[SCARA_JOINTS], const double upper[SCARA_JOINTS],
-    double q[SCARA_JOINTS]);
+KINSYM_FN scara_status scara_nearest(const double T[16], const scara_params *p,
+    const double reference[SCARA_JOINTS], const double weights[SCARA_JOINTS],
+    const double lower[SCARA_JOINTS], const double upper[SCARA_JOINTS], double q[SCARA_JOINTS]);
 
 /* Forward kinematics of n joint vectors: q has SCARA_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void scara_fk_batch(const double q[], int n, const scara_params *p, double T[]);
+KINSYM_FN void scara_fk_batch(const double q[], int n, const scara_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -164,8 +185,8 @@ void scara_fk_batch(const double q[], int n, const scara_params *p, double T[]);
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 20 kB of stack are used. */
-int scara_ik_batch(const double T[], int n, const scara_params *p, const double reference[SCARA_JOINTS],
-    double q[][SCARA_JOINTS], int counts[]);
+KINSYM_FN int scara_ik_batch(const double T[], int n, const scara_params *p,
+    const double reference[SCARA_JOINTS], double q[][SCARA_JOINTS], int counts[]);
 
 #ifdef __cplusplus
 }

@@ -31,9 +31,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If SCORBOT_5R_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes scorbot_5r.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef SCORBOT_5R_H
 #define SCORBOT_5R_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -66,10 +85,10 @@ typedef struct scorbot_5r_params {
 
 /* Forward kinematics: the pose T of the joint vector q. With p = NULL every entry is NaN, here and in the
  * Jacobian: the table has no value for a1, d1, a2, a3, d5. */
-void scorbot_5r_fk(const double q[SCORBOT_5R_JOINTS], const scorbot_5r_params *p, double T[16]);
+KINSYM_FN void scorbot_5r_fk(const double q[SCORBOT_5R_JOINTS], const scorbot_5r_params *p, double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void scorbot_5r_jacobian(const double q[SCORBOT_5R_JOINTS], const scorbot_5r_params *p,
+KINSYM_FN void scorbot_5r_jacobian(const double q[SCORBOT_5R_JOINTS], const scorbot_5r_params *p,
     double J[6 * SCORBOT_5R_JOINTS]);
 
 /*
@@ -94,11 +113,11 @@ void scorbot_5r_jacobian(const double q[SCORBOT_5R_JOINTS], const scorbot_5r_par
  * or if one of these vanishes, which the equations take for granted: a2, a3.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int scorbot_5r_ik(const double T[16], const scorbot_5r_params *p, double q[][SCORBOT_5R_JOINTS]);
+KINSYM_FN int scorbot_5r_ik(const double T[16], const scorbot_5r_params *p, double q[][SCORBOT_5R_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int scorbot_5r_ik_near(const double T[16], const scorbot_5r_params *p,
+KINSYM_FN int scorbot_5r_ik_near(const double T[16], const scorbot_5r_params *p,
     const double reference[SCORBOT_5R_JOINTS], double q[][SCORBOT_5R_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -110,7 +129,7 @@ typedef struct scorbot_5r_mark {
 } scorbot_5r_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int scorbot_5r_ik_marked(const double T[16], const scorbot_5r_params *p,
+KINSYM_FN int scorbot_5r_ik_marked(const double T[16], const scorbot_5r_params *p,
     const double reference[SCORBOT_5R_JOINTS], double q[][SCORBOT_5R_JOINTS], scorbot_5r_mark marks[]);
 
 /* The names of the branches by their number:
@@ -124,7 +143,8 @@ int scorbot_5r_ik_marked(const double T[16], const scorbot_5r_params *p,
 extern const char *const scorbot_5r_branches[SCORBOT_5R_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double scorbot_5r_lower[SCORBOT_5R_JOINTS], scorbot_5r_upper[SCORBOT_5R_JOINTS];
+extern KINSYM_DATA const double scorbot_5r_lower[SCORBOT_5R_JOINTS];
+extern KINSYM_DATA const double scorbot_5r_upper[SCORBOT_5R_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct scorbot_5r_solutions {
@@ -135,12 +155,12 @@ typedef struct scorbot_5r_solutions {
 } scorbot_5r_solutions;
 
 /* ik_marked with a status, which is returned as well; SCORBOT_5R_BAD_REFERENCE if the reference is not finite. */
-scorbot_5r_status scorbot_5r_solve(const double T[16], const scorbot_5r_params *p,
+KINSYM_FN scorbot_5r_status scorbot_5r_solve(const double T[16], const scorbot_5r_params *p,
     const double reference[SCORBOT_5R_JOINTS], scorbot_5r_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned scorbot_5r_family(unsigned free);
+KINSYM_FN unsigned scorbot_5r_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -148,7 +168,7 @@ unsigned scorbot_5r_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * SCORBOT_5R_BAD_LIMIT if limits are no interval. */
-int scorbot_5r_within(const double T[16], const scorbot_5r_params *p,
+KINSYM_FN int scorbot_5r_within(const double T[16], const scorbot_5r_params *p,
     const double reference[SCORBOT_5R_JOINTS], const double lower[SCORBOT_5R_JOINTS],
     const double upper[SCORBOT_5R_JOINTS], int capacity, double q[][SCORBOT_5R_JOINTS],
     scorbot_5r_mark marks[]);
@@ -157,7 +177,7 @@ int scorbot_5r_within(const double T[16], const scorbot_5r_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. SCORBOT_5R_BAD_WEIGHT if a weight is negative or not finite. */
-scorbot_5r_status scorbot_5r_nearest(const double T[16], const scorbot_5r_params *p,
+KINSYM_FN scorbot_5r_status scorbot_5r_nearest(const double T[16], const scorbot_5r_params *p,
     const double reference[SCORBOT_5R_JOINTS], const double weights[SCORBOT_5R_JOINTS],
     const double lower[SCORBOT_5R_JOINTS], const double upper[SCORBOT_5R_JOINTS],
     double q[SCORBOT_5R_JOINTS]);
@@ -165,7 +185,7 @@ scorbot_5r_status scorbot_5r_nearest(const double T[16], const scorbot_5r_params
 /* Forward kinematics of n joint vectors: q has SCORBOT_5R_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void scorbot_5r_fk_batch(const double q[], int n, const scorbot_5r_params *p, double T[]);
+KINSYM_FN void scorbot_5r_fk_batch(const double q[], int n, const scorbot_5r_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -178,7 +198,7 @@ void scorbot_5r_fk_batch(const double q[], int n, const scorbot_5r_params *p, do
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 30 kB of stack are used. */
-int scorbot_5r_ik_batch(const double T[], int n, const scorbot_5r_params *p,
+KINSYM_FN int scorbot_5r_ik_batch(const double T[], int n, const scorbot_5r_params *p,
     const double reference[SCORBOT_5R_JOINTS], double q[][SCORBOT_5R_JOINTS], int counts[]);
 
 #ifdef __cplusplus

@@ -21,8 +21,9 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
@@ -32,7 +33,7 @@ double sqrt(double) __attribute__((const)); /* the library's own declaration let
 #ifdef SPHERICAL_WRIST_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -44,7 +45,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -81,7 +82,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -89,28 +91,29 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The angle half a turn away, in (-pi, pi]; what is too small to be seen beside pi counts as 0. */
-static inline double half_turn(double angle)
+KINSYM_FN static inline double half_turn(double angle)
 {
     const double pi = 3.141592653589793;
     return angle + (angle > 2.220446049250313e-16 ? -pi : pi);
 }
 
 /* The opposite angle in (-pi, pi]. */
-static inline double opposite(double angle)
+KINSYM_FN static inline double opposite(double angle)
 {
     const double pi = 3.141592653589793;
     return angle < pi ? -angle : angle;
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void spherical_wrist_fk(const double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist_params *p, double T[16])
+KINSYM_FN void spherical_wrist_fk(const double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist_params *p,
+    double T[16])
 {
     if (p == NULL) {
         for (int i = 0; i < 16; ++i) {
@@ -153,8 +156,8 @@ void spherical_wrist_fk(const double q[SPHERICAL_WRIST_JOINTS], const spherical_
     T[15] = 1.0;
 }
 
-void spherical_wrist_jacobian(const double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist_params *p,
-    double J[6 * SPHERICAL_WRIST_JOINTS])
+KINSYM_FN void spherical_wrist_jacobian(const double q[SPHERICAL_WRIST_JOINTS],
+    const spherical_wrist_params *p, double J[6 * SPHERICAL_WRIST_JOINTS])
 {
     if (p == NULL) {
         for (int i = 0; i < 6 * SPHERICAL_WRIST_JOINTS; ++i) {
@@ -171,7 +174,7 @@ void spherical_wrist_jacobian(const double q[SPHERICAL_WRIST_JOINTS], const sphe
     const double s5 = sin(theta5);
     const double product1 = c4 * s5;
     const double oE_x = product1 * d6;
-    const double product2 = s4 * s5;
+    const double product2 = s5 * s4;
     const double oE_y = product2 * d6;
     const double oE_z = d6 * c5;
     const double z3_x = product1;
@@ -208,7 +211,8 @@ void spherical_wrist_jacobian(const double q[SPHERICAL_WRIST_JOINTS], const sphe
 #define NEAR 67108864.0
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2],
+    int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
@@ -228,7 +232,7 @@ static int solve_homogeneous(double a, double b, double t, double reference, dou
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -269,7 +273,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -285,13 +289,13 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether every parameter has a finite value. */
-static int usable(const spherical_wrist_params *p)
+KINSYM_FN static int usable(const spherical_wrist_params *p)
 {
     return p != NULL && isfinite(p->d6);
 }
 
 /* Whether all joint values are numbers; lengths near the limits of double precision can overflow on the way. */
-static int all_finite(const double q[SPHERICAL_WRIST_JOINTS])
+KINSYM_FN static int all_finite(const double q[SPHERICAL_WRIST_JOINTS])
 {
     for (int i = 0; i < SPHERICAL_WRIST_JOINTS; ++i) {
         if (!isfinite(q[i])) {
@@ -303,10 +307,10 @@ static int all_finite(const double q[SPHERICAL_WRIST_JOINTS])
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 9
-static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10};
+static KINSYM_DATA const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist_params *p,
+KINSYM_FN static double distance(const double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist_params *p,
     const double M[12], double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
@@ -320,8 +324,8 @@ static double distance(const double q[SPHERICAL_WRIST_JOINTS], const spherical_w
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist_params *p, double size,
-    double D[ENTRIES][SPHERICAL_WRIST_JOINTS])
+KINSYM_FN static void slopes(const double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist_params *p,
+    double size, double D[ENTRIES][SPHERICAL_WRIST_JOINTS])
 {
     double T[16], J[6 * SPHERICAL_WRIST_JOINTS];
     spherical_wrist_fk(q, p, T);
@@ -339,7 +343,7 @@ static void slopes(const double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][SPHERICAL_WRIST_JOINTS], const double e[ENTRIES], double damping,
+KINSYM_FN static void step(double D[ENTRIES][SPHERICAL_WRIST_JOINTS], const double e[ENTRIES], double damping,
     double g[SPHERICAL_WRIST_JOINTS])
 {
     double A[SPHERICAL_WRIST_JOINTS + 1][ENTRIES + SPHERICAL_WRIST_JOINTS];
@@ -372,8 +376,8 @@ static void step(double D[ENTRIES][SPHERICAL_WRIST_JOINTS], const double e[ENTRI
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist_params *p, const double M[12],
-    double size)
+KINSYM_FN static double polish(double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist_params *p,
+    const double M[12], double size)
 {
     double e[ENTRIES], D[ENTRIES][SPHERICAL_WRIST_JOINTS], g[SPHERICAL_WRIST_JOINTS], trial[SPHERICAL_WRIST_JOINTS];
     double left = distance(q, p, M, size, e), caution = 1.0;
@@ -400,7 +404,7 @@ static double polish(double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist_par
 
 /* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
  * Where two borders cross the distance is stationary, and a second start lies beside it. */
-static int settle(double q[][SPHERICAL_WRIST_JOINTS], int mark, const spherical_wrist_params *p,
+KINSYM_FN static int settle(double q[][SPHERICAL_WRIST_JOINTS], int mark, const spherical_wrist_params *p,
     const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[SPHERICAL_WRIST_JOINTS], other[SPHERICAL_WRIST_JOINTS];
@@ -434,8 +438,9 @@ static int settle(double q[][SPHERICAL_WRIST_JOINTS], int mark, const spherical_
 }
 
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
-static int settled(double q[][SPHERICAL_WRIST_JOINTS], spherical_wrist_mark marks[], const int found[],
-    int count, const spherical_wrist_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settled(double q[][SPHERICAL_WRIST_JOINTS], spherical_wrist_mark marks[],
+    const int found[], int count, const spherical_wrist_params *p, const double M[12], double tau,
+    double size)
 {
     double given[SPHERICAL_WRIST_MAX_SOLUTIONS][SPHERICAL_WRIST_JOINTS];
     unsigned branches[SPHERICAL_WRIST_MAX_SOLUTIONS];
@@ -461,7 +466,7 @@ static int settled(double q[][SPHERICAL_WRIST_JOINTS], spherical_wrist_mark mark
     return kept;
 }
 
-int spherical_wrist_ik_marked(const double T[16], const spherical_wrist_params *p,
+KINSYM_FN int spherical_wrist_ik_marked(const double T[16], const spherical_wrist_params *p,
     const double reference[SPHERICAL_WRIST_JOINTS], double q[][SPHERICAL_WRIST_JOINTS],
     spherical_wrist_mark marks[])
 {
@@ -561,14 +566,14 @@ int spherical_wrist_ik_marked(const double T[16], const spherical_wrist_params *
     return special ? settled(q, marks, found, count, p, M, tau, size) : count;
 }
 
-int spherical_wrist_ik_near(const double T[16], const spherical_wrist_params *p,
+KINSYM_FN int spherical_wrist_ik_near(const double T[16], const spherical_wrist_params *p,
     const double reference[SPHERICAL_WRIST_JOINTS], double q[][SPHERICAL_WRIST_JOINTS])
 {
     spherical_wrist_mark marks[SPHERICAL_WRIST_MAX_SOLUTIONS];
     return spherical_wrist_ik_marked(T, p, reference, q, marks);
 }
 
-int spherical_wrist_ik(const double T[16], const spherical_wrist_params *p,
+KINSYM_FN int spherical_wrist_ik(const double T[16], const spherical_wrist_params *p,
     double q[][SPHERICAL_WRIST_JOINTS])
 {
     return spherical_wrist_ik_near(T, p, NULL, q);
@@ -579,18 +584,18 @@ const char *const spherical_wrist_branches[SPHERICAL_WRIST_MAX_SOLUTIONS] = {
     "wrist flipped",
 };
 
-const double spherical_wrist_lower[SPHERICAL_WRIST_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-const double spherical_wrist_upper[SPHERICAL_WRIST_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+KINSYM_DATA const double spherical_wrist_lower[SPHERICAL_WRIST_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+KINSYM_DATA const double spherical_wrist_upper[SPHERICAL_WRIST_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "RRR";
+static KINSYM_DATA const char kinds[] = "RRR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[SPHERICAL_WRIST_JOINTS])
+KINSYM_FN static int are_numbers(const double x[SPHERICAL_WRIST_JOINTS])
 {
     for (int i = 0; x != NULL && i < SPHERICAL_WRIST_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -601,7 +606,7 @@ static int are_numbers(const double x[SPHERICAL_WRIST_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[SPHERICAL_WRIST_JOINTS], const double upper[SPHERICAL_WRIST_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[SPHERICAL_WRIST_JOINTS], const double upper[SPHERICAL_WRIST_JOINTS])
 {
     for (int i = 0; i < SPHERICAL_WRIST_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -612,7 +617,7 @@ static int all_intervals(const double lower[SPHERICAL_WRIST_JOINTS], const doubl
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -620,18 +625,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static spherical_wrist_status status_of(spherical_wrist_mark special)
+KINSYM_FN static spherical_wrist_status status_of(spherical_wrist_mark special)
 {
     return special.free | special.border ? SPHERICAL_WRIST_SINGULAR : SPHERICAL_WRIST_SOLVED;
 }
 
-spherical_wrist_status spherical_wrist_solve(const double T[16], const spherical_wrist_params *p,
+KINSYM_FN spherical_wrist_status spherical_wrist_solve(const double T[16], const spherical_wrist_params *p,
     const double reference[SPHERICAL_WRIST_JOINTS], spherical_wrist_solutions *out)
 {
     out->count = 0;
@@ -655,14 +660,14 @@ spherical_wrist_status spherical_wrist_solve(const double T[16], const spherical
     return out->status;
 }
 
-unsigned spherical_wrist_family(unsigned free)
+KINSYM_FN unsigned spherical_wrist_family(unsigned free)
 {
     unsigned moving = free;
     moving |= (free & 1u) == 1u ? 5u : 0u;
     return moving;
 }
 
-int spherical_wrist_within(const double T[16], const spherical_wrist_params *p,
+KINSYM_FN int spherical_wrist_within(const double T[16], const spherical_wrist_params *p,
     const double reference[SPHERICAL_WRIST_JOINTS], const double lower[SPHERICAL_WRIST_JOINTS],
     const double upper[SPHERICAL_WRIST_JOINTS], int capacity, double q[][SPHERICAL_WRIST_JOINTS],
     spherical_wrist_mark marks[])
@@ -708,7 +713,7 @@ int spherical_wrist_within(const double T[16], const spherical_wrist_params *p,
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-spherical_wrist_status spherical_wrist_nearest(const double T[16], const spherical_wrist_params *p,
+KINSYM_FN spherical_wrist_status spherical_wrist_nearest(const double T[16], const spherical_wrist_params *p,
     const double reference[SPHERICAL_WRIST_JOINTS], const double weights[SPHERICAL_WRIST_JOINTS],
     const double lower[SPHERICAL_WRIST_JOINTS], const double upper[SPHERICAL_WRIST_JOINTS],
     double q[SPHERICAL_WRIST_JOINTS])
@@ -771,7 +776,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -789,18 +794,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const spherical_wrist_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const spherical_wrist_params *p, int path, lane_block *block)
 {
     const double d6 = p->d6;
     /* Apart from the block, so that a compiler sees that nothing overlaps. */
@@ -841,7 +846,7 @@ static void fk_block(const spherical_wrist_params *p, int path, lane_block *bloc
     }
 }
 
-void spherical_wrist_fk_batch(const double q[], int n, const spherical_wrist_params *p, double T[])
+KINSYM_FN void spherical_wrist_fk_batch(const double q[], int n, const spherical_wrist_params *p, double T[])
 {
     lane_block block;
     for (int first = 0; first < n; first += LANES) {
@@ -874,13 +879,13 @@ void spherical_wrist_fk_batch(const double q[], int n, const spherical_wrist_par
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart. */
-static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
 {
     const double r = sqrt(a * a + b * b);
     const double per_r = 1.0 / r;
@@ -894,7 +899,7 @@ static inline double lane_homogeneous(double a, double b, double t, double c[2],
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -935,7 +940,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(lane_block *block)
+KINSYM_FN static void solve_block(lane_block *block)
 {
     const int path = 0;
     for (int k = 0; k < LANES; ++k) {
@@ -977,7 +982,7 @@ static void solve_block(lane_block *block)
     }
 }
 
-int spherical_wrist_ik_batch(const double T[], int n, const spherical_wrist_params *p,
+KINSYM_FN int spherical_wrist_ik_batch(const double T[], int n, const spherical_wrist_params *p,
     const double reference[SPHERICAL_WRIST_JOINTS], double q[][SPHERICAL_WRIST_JOINTS], int counts[])
 {
     if (!usable(p)) {
@@ -1009,3 +1014,7 @@ int spherical_wrist_ik_batch(const double T[], int n, const spherical_wrist_para
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

@@ -29,9 +29,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If SPHERICAL_WRIST_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes spherical_wrist.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef SPHERICAL_WRIST_H
 #define SPHERICAL_WRIST_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -60,12 +79,12 @@ typedef struct spherical_wrist_params {
 
 /* Forward kinematics: the pose T of the joint vector q. With p = NULL every entry is NaN, here and in the
  * Jacobian: the table has no value for d6. */
-void spherical_wrist_fk(const double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist_params *p,
+KINSYM_FN void spherical_wrist_fk(const double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist_params *p,
     double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void spherical_wrist_jacobian(const double q[SPHERICAL_WRIST_JOINTS], const spherical_wrist_params *p,
-    double J[6 * SPHERICAL_WRIST_JOINTS]);
+KINSYM_FN void spherical_wrist_jacobian(const double q[SPHERICAL_WRIST_JOINTS],
+    const spherical_wrist_params *p, double J[6 * SPHERICAL_WRIST_JOINTS]);
 
 /*
  * Singular poses:
@@ -83,12 +102,12 @@ void spherical_wrist_jacobian(const double q[SPHERICAL_WRIST_JOINTS], const sphe
  * SPHERICAL_WRIST_BAD_PARAMETER if a parameter is missing or not finite.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int spherical_wrist_ik(const double T[16], const spherical_wrist_params *p,
+KINSYM_FN int spherical_wrist_ik(const double T[16], const spherical_wrist_params *p,
     double q[][SPHERICAL_WRIST_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int spherical_wrist_ik_near(const double T[16], const spherical_wrist_params *p,
+KINSYM_FN int spherical_wrist_ik_near(const double T[16], const spherical_wrist_params *p,
     const double reference[SPHERICAL_WRIST_JOINTS], double q[][SPHERICAL_WRIST_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -100,7 +119,7 @@ typedef struct spherical_wrist_mark {
 } spherical_wrist_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int spherical_wrist_ik_marked(const double T[16], const spherical_wrist_params *p,
+KINSYM_FN int spherical_wrist_ik_marked(const double T[16], const spherical_wrist_params *p,
     const double reference[SPHERICAL_WRIST_JOINTS], double q[][SPHERICAL_WRIST_JOINTS],
     spherical_wrist_mark marks[]);
 
@@ -112,7 +131,8 @@ int spherical_wrist_ik_marked(const double T[16], const spherical_wrist_params *
 extern const char *const spherical_wrist_branches[SPHERICAL_WRIST_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double spherical_wrist_lower[SPHERICAL_WRIST_JOINTS], spherical_wrist_upper[SPHERICAL_WRIST_JOINTS];
+extern KINSYM_DATA const double spherical_wrist_lower[SPHERICAL_WRIST_JOINTS];
+extern KINSYM_DATA const double spherical_wrist_upper[SPHERICAL_WRIST_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct spherical_wrist_solutions {
@@ -123,12 +143,12 @@ typedef struct spherical_wrist_solutions {
 } spherical_wrist_solutions;
 
 /* ik_marked with a status, which is returned as well; SPHERICAL_WRIST_BAD_REFERENCE if the reference is not finite. */
-spherical_wrist_status spherical_wrist_solve(const double T[16], const spherical_wrist_params *p,
+KINSYM_FN spherical_wrist_status spherical_wrist_solve(const double T[16], const spherical_wrist_params *p,
     const double reference[SPHERICAL_WRIST_JOINTS], spherical_wrist_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned spherical_wrist_family(unsigned free);
+KINSYM_FN unsigned spherical_wrist_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -136,7 +156,7 @@ unsigned spherical_wrist_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * SPHERICAL_WRIST_BAD_LIMIT if limits are no interval. */
-int spherical_wrist_within(const double T[16], const spherical_wrist_params *p,
+KINSYM_FN int spherical_wrist_within(const double T[16], const spherical_wrist_params *p,
     const double reference[SPHERICAL_WRIST_JOINTS], const double lower[SPHERICAL_WRIST_JOINTS],
     const double upper[SPHERICAL_WRIST_JOINTS], int capacity, double q[][SPHERICAL_WRIST_JOINTS],
     spherical_wrist_mark marks[]);
@@ -145,7 +165,7 @@ int spherical_wrist_within(const double T[16], const spherical_wrist_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. SPHERICAL_WRIST_BAD_WEIGHT if a weight is negative or not finite. */
-spherical_wrist_status spherical_wrist_nearest(const double T[16], const spherical_wrist_params *p,
+KINSYM_FN spherical_wrist_status spherical_wrist_nearest(const double T[16], const spherical_wrist_params *p,
     const double reference[SPHERICAL_WRIST_JOINTS], const double weights[SPHERICAL_WRIST_JOINTS],
     const double lower[SPHERICAL_WRIST_JOINTS], const double upper[SPHERICAL_WRIST_JOINTS],
     double q[SPHERICAL_WRIST_JOINTS]);
@@ -153,7 +173,7 @@ spherical_wrist_status spherical_wrist_nearest(const double T[16], const spheric
 /* Forward kinematics of n joint vectors: q has SPHERICAL_WRIST_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void spherical_wrist_fk_batch(const double q[], int n, const spherical_wrist_params *p, double T[]);
+KINSYM_FN void spherical_wrist_fk_batch(const double q[], int n, const spherical_wrist_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -166,7 +186,7 @@ void spherical_wrist_fk_batch(const double q[], int n, const spherical_wrist_par
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 20 kB of stack are used. */
-int spherical_wrist_ik_batch(const double T[], int n, const spherical_wrist_params *p,
+KINSYM_FN int spherical_wrist_ik_batch(const double T[], int n, const spherical_wrist_params *p,
     const double reference[SPHERICAL_WRIST_JOINTS], double q[][SPHERICAL_WRIST_JOINTS], int counts[]);
 
 #ifdef __cplusplus

@@ -121,7 +121,7 @@ def jacobian(q, *, d6):
     s5 = np.sin(theta5)
     product1 = c4 * s5
     oE_x = product1 * d6
-    product2 = s4 * s5
+    product2 = s5 * s4
     oE_y = product2 * d6
     oE_z = d6 * c5
     z3_x = product1

@@ -24,15 +24,16 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
 double sqrt(double) __attribute__((const)); /* the library's own declaration lets it write errno */
 #endif
 
-const stanford_arm_params stanford_arm_defaults = {
+KINSYM_DATA const stanford_arm_params stanford_arm_defaults = {
     0.412, /* d1 */
     0.154, /* d2 */
     0.0203, /* a3 */
@@ -41,7 +42,7 @@ const stanford_arm_params stanford_arm_defaults = {
 #ifdef STANFORD_ARM_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -53,7 +54,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -90,7 +91,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -98,28 +100,29 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The angle half a turn away, in (-pi, pi]; what is too small to be seen beside pi counts as 0. */
-static inline double half_turn(double angle)
+KINSYM_FN static inline double half_turn(double angle)
 {
     const double pi = 3.141592653589793;
     return angle + (angle > 2.220446049250313e-16 ? -pi : pi);
 }
 
 /* The opposite angle in (-pi, pi]. */
-static inline double opposite(double angle)
+KINSYM_FN static inline double opposite(double angle)
 {
     const double pi = 3.141592653589793;
     return angle < pi ? -angle : angle;
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void stanford_arm_fk(const double q[STANFORD_ARM_JOINTS], const stanford_arm_params *p, double T[16])
+KINSYM_FN void stanford_arm_fk(const double q[STANFORD_ARM_JOINTS], const stanford_arm_params *p,
+    double T[16])
 {
     if (p == NULL) {
         p = &stanford_arm_defaults;
@@ -181,7 +184,7 @@ void stanford_arm_fk(const double q[STANFORD_ARM_JOINTS], const stanford_arm_par
     T[15] = 1.0;
 }
 
-void stanford_arm_jacobian(const double q[STANFORD_ARM_JOINTS], const stanford_arm_params *p,
+KINSYM_FN void stanford_arm_jacobian(const double q[STANFORD_ARM_JOINTS], const stanford_arm_params *p,
     double J[6 * STANFORD_ARM_JOINTS])
 {
     if (p == NULL) {
@@ -206,20 +209,20 @@ void stanford_arm_jacobian(const double q[STANFORD_ARM_JOINTS], const stanford_a
     const double product2 = c1 * s2;
     const double sum1 = a3 - d2;
     const double oE_x = product2 * d3 + s1 * sum1;
-    const double product3 = s1 * s2;
+    const double product3 = s2 * s1;
     const double oE_y = -c1 * sum1 + product3 * d3;
     const double oE_z = d3 * c2 + d1;
     const double z3_x = product2;
     const double z3_y = product3;
     const double product4 = c1 * c4;
     const double z5_x = product4 * c2 - s1 * s4;
-    const double product5 = c4 * s1;
+    const double product5 = s1 * c4;
     const double z5_y = c1 * s4 + product5 * c2;
     const double z5_z = -s2 * c4;
     const double product1 = s4 * s5;
-    const double product6 = c2 * product1;
-    const double product7 = c5 * s2;
-    const double sum2 = product6 + product7;
+    const double product7 = c2 * product1;
+    const double product6 = s2 * c5;
+    const double sum2 = product7 + product6;
     const double z6_x = c1 * sum2 + product5 * s5;
     const double z6_y = s1 * sum2 - product4 * s5;
     const double z6_z = c2 * c5 - product1 * s2;
@@ -274,7 +277,8 @@ void stanford_arm_jacobian(const double q[STANFORD_ARM_JOINTS], const stanford_a
 #define NEAR 67108864.0
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2],
+    int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
@@ -294,8 +298,8 @@ static int solve_homogeneous(double a, double b, double t, double reference, dou
 
 /* The angles with a*cos + b*sin = e: two; one on the border, where they meet; one, free, if a, b, e vanish. Beyond
  * the border there is none, but just beyond it, or anywhere if loose, one in doubt. */
-static int solve_linear(double a, double b, double e, double t, double reference, int loose,
-                        double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_linear(double a, double b, double e, double t, double reference, int loose, double c[2],
+    double s[2], int mark[2])
 {
     const double rr = a * a + b * b;
     const double r = sqrt(rr);
@@ -329,7 +333,7 @@ static int solve_linear(double a, double b, double e, double t, double reference
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -370,7 +374,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -386,13 +390,13 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether every parameter has a finite value. */
-static int usable(const stanford_arm_params *p)
+KINSYM_FN static int usable(const stanford_arm_params *p)
 {
     return isfinite(p->d1) && isfinite(p->d2) && isfinite(p->a3);
 }
 
 /* Whether all joint values are numbers; lengths near the limits of double precision can overflow on the way. */
-static int all_finite(const double q[STANFORD_ARM_JOINTS])
+KINSYM_FN static int all_finite(const double q[STANFORD_ARM_JOINTS])
 {
     for (int i = 0; i < STANFORD_ARM_JOINTS; ++i) {
         if (!isfinite(q[i])) {
@@ -404,14 +408,14 @@ static int all_finite(const double q[STANFORD_ARM_JOINTS])
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 12
-static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+static KINSYM_DATA const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
 
 /* Whether a joint slides. */
-static const int slides[STANFORD_ARM_JOINTS] = {0, 0, 1, 0, 0, 0};
+static KINSYM_DATA const int slides[STANFORD_ARM_JOINTS] = {0, 0, 1, 0, 0, 0};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[STANFORD_ARM_JOINTS], const stanford_arm_params *p, const double M[12],
-    double size, double e[ENTRIES])
+KINSYM_FN static double distance(const double q[STANFORD_ARM_JOINTS], const stanford_arm_params *p,
+    const double M[12], double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
     stanford_arm_fk(q, p, T);
@@ -424,7 +428,7 @@ static double distance(const double q[STANFORD_ARM_JOINTS], const stanford_arm_p
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[STANFORD_ARM_JOINTS], const stanford_arm_params *p, double size,
+KINSYM_FN static void slopes(const double q[STANFORD_ARM_JOINTS], const stanford_arm_params *p, double size,
     double D[ENTRIES][STANFORD_ARM_JOINTS])
 {
     double T[16], J[6 * STANFORD_ARM_JOINTS];
@@ -444,7 +448,7 @@ static void slopes(const double q[STANFORD_ARM_JOINTS], const stanford_arm_param
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][STANFORD_ARM_JOINTS], const double e[ENTRIES], double damping,
+KINSYM_FN static void step(double D[ENTRIES][STANFORD_ARM_JOINTS], const double e[ENTRIES], double damping,
     double g[STANFORD_ARM_JOINTS])
 {
     double A[STANFORD_ARM_JOINTS + 1][ENTRIES + STANFORD_ARM_JOINTS];
@@ -477,8 +481,8 @@ static void step(double D[ENTRIES][STANFORD_ARM_JOINTS], const double e[ENTRIES]
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[STANFORD_ARM_JOINTS], const stanford_arm_params *p, const double M[12],
-    double size)
+KINSYM_FN static double polish(double q[STANFORD_ARM_JOINTS], const stanford_arm_params *p,
+    const double M[12], double size)
 {
     double e[ENTRIES], D[ENTRIES][STANFORD_ARM_JOINTS], g[STANFORD_ARM_JOINTS], trial[STANFORD_ARM_JOINTS];
     double left = distance(q, p, M, size, e), caution = 1.0;
@@ -507,8 +511,8 @@ static double polish(double q[STANFORD_ARM_JOINTS], const stanford_arm_params *p
  * Where two borders cross the distance is stationary, and a second start lies beside it. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
-static int settle(double q[][STANFORD_ARM_JOINTS], stanford_arm_mark marks[], double alike[], unsigned twin,
-    int mark, const stanford_arm_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settle(double q[][STANFORD_ARM_JOINTS], stanford_arm_mark marks[], double alike[],
+    unsigned twin, int mark, const stanford_arm_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[STANFORD_ARM_JOINTS], other[STANFORD_ARM_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -552,8 +556,8 @@ static int settle(double q[][STANFORD_ARM_JOINTS], stanford_arm_mark marks[], do
 
 /* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
  * alike tells, and puts the rest in the order of their branches; returns how many are left. */
-static int tidied(double q[][STANFORD_ARM_JOINTS], stanford_arm_mark marks[], const double alike[], int count,
-    double size)
+KINSYM_FN static int tidied(double q[][STANFORD_ARM_JOINTS], stanford_arm_mark marks[], const double alike[],
+    int count, double size)
 {
     int kept = 0;
     for (int i = 0; i < count; ++i) {
@@ -589,8 +593,8 @@ static int tidied(double q[][STANFORD_ARM_JOINTS], stanford_arm_mark marks[], co
 }
 
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
-static int settled(double q[][STANFORD_ARM_JOINTS], stanford_arm_mark marks[], const int found[], int count,
-    const stanford_arm_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settled(double q[][STANFORD_ARM_JOINTS], stanford_arm_mark marks[], const int found[],
+    int count, const stanford_arm_params *p, const double M[12], double tau, double size)
 {
     double given[STANFORD_ARM_MAX_SOLUTIONS][STANFORD_ARM_JOINTS];
     unsigned branches[STANFORD_ARM_MAX_SOLUTIONS];
@@ -622,7 +626,7 @@ static int settled(double q[][STANFORD_ARM_JOINTS], stanford_arm_mark marks[], c
     return tidied(q, marks, alike, kept, size);
 }
 
-int stanford_arm_ik_marked(const double T[16], const stanford_arm_params *p,
+KINSYM_FN int stanford_arm_ik_marked(const double T[16], const stanford_arm_params *p,
     const double reference[STANFORD_ARM_JOINTS], double q[][STANFORD_ARM_JOINTS], stanford_arm_mark marks[])
 {
     static const double zeros[STANFORD_ARM_JOINTS] = {0.0};
@@ -785,14 +789,15 @@ int stanford_arm_ik_marked(const double T[16], const stanford_arm_params *p,
     return special ? settled(q, marks, found, count, p, M, tau, size) : count;
 }
 
-int stanford_arm_ik_near(const double T[16], const stanford_arm_params *p,
+KINSYM_FN int stanford_arm_ik_near(const double T[16], const stanford_arm_params *p,
     const double reference[STANFORD_ARM_JOINTS], double q[][STANFORD_ARM_JOINTS])
 {
     stanford_arm_mark marks[STANFORD_ARM_MAX_SOLUTIONS];
     return stanford_arm_ik_marked(T, p, reference, q, marks);
 }
 
-int stanford_arm_ik(const double T[16], const stanford_arm_params *p, double q[][STANFORD_ARM_JOINTS])
+KINSYM_FN int stanford_arm_ik(const double T[16], const stanford_arm_params *p,
+    double q[][STANFORD_ARM_JOINTS])
 {
     return stanford_arm_ik_near(T, p, NULL, q);
 }
@@ -808,20 +813,20 @@ const char *const stanford_arm_branches[STANFORD_ARM_MAX_SOLUTIONS] = {
     "shoulder right, d3 > 0, wrist not flipped",
 };
 
-const double stanford_arm_lower[STANFORD_ARM_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
-    -HUGE_VAL};
-const double stanford_arm_upper[STANFORD_ARM_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
-    HUGE_VAL};
+KINSYM_DATA const double stanford_arm_lower[STANFORD_ARM_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+    -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+KINSYM_DATA const double stanford_arm_upper[STANFORD_ARM_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
+    HUGE_VAL, HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "RRPRRR";
+static KINSYM_DATA const char kinds[] = "RRPRRR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[STANFORD_ARM_JOINTS])
+KINSYM_FN static int are_numbers(const double x[STANFORD_ARM_JOINTS])
 {
     for (int i = 0; x != NULL && i < STANFORD_ARM_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -832,7 +837,7 @@ static int are_numbers(const double x[STANFORD_ARM_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[STANFORD_ARM_JOINTS], const double upper[STANFORD_ARM_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[STANFORD_ARM_JOINTS], const double upper[STANFORD_ARM_JOINTS])
 {
     for (int i = 0; i < STANFORD_ARM_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -843,7 +848,7 @@ static int all_intervals(const double lower[STANFORD_ARM_JOINTS], const double u
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -851,18 +856,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static stanford_arm_status status_of(stanford_arm_mark special)
+KINSYM_FN static stanford_arm_status status_of(stanford_arm_mark special)
 {
     return special.free | special.border ? STANFORD_ARM_SINGULAR : STANFORD_ARM_SOLVED;
 }
 
-stanford_arm_status stanford_arm_solve(const double T[16], const stanford_arm_params *p,
+KINSYM_FN stanford_arm_status stanford_arm_solve(const double T[16], const stanford_arm_params *p,
     const double reference[STANFORD_ARM_JOINTS], stanford_arm_solutions *out)
 {
     out->count = 0;
@@ -886,7 +891,7 @@ stanford_arm_status stanford_arm_solve(const double T[16], const stanford_arm_pa
     return out->status;
 }
 
-unsigned stanford_arm_family(unsigned free)
+KINSYM_FN unsigned stanford_arm_family(unsigned free)
 {
     unsigned moving = free;
     moving |= (free & 2u) == 2u ? 58u : 0u;
@@ -894,7 +899,7 @@ unsigned stanford_arm_family(unsigned free)
     return moving;
 }
 
-int stanford_arm_within(const double T[16], const stanford_arm_params *p,
+KINSYM_FN int stanford_arm_within(const double T[16], const stanford_arm_params *p,
     const double reference[STANFORD_ARM_JOINTS], const double lower[STANFORD_ARM_JOINTS],
     const double upper[STANFORD_ARM_JOINTS], int capacity, double q[][STANFORD_ARM_JOINTS],
     stanford_arm_mark marks[])
@@ -940,7 +945,7 @@ int stanford_arm_within(const double T[16], const stanford_arm_params *p,
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-stanford_arm_status stanford_arm_nearest(const double T[16], const stanford_arm_params *p,
+KINSYM_FN stanford_arm_status stanford_arm_nearest(const double T[16], const stanford_arm_params *p,
     const double reference[STANFORD_ARM_JOINTS], const double weights[STANFORD_ARM_JOINTS],
     const double lower[STANFORD_ARM_JOINTS], const double upper[STANFORD_ARM_JOINTS],
     double q[STANFORD_ARM_JOINTS])
@@ -1003,7 +1008,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -1021,18 +1026,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const stanford_arm_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const stanford_arm_params *p, int path, lane_block *block)
 {
     const double d1 = p->d1;
     const double d2 = p->d2;
@@ -1095,7 +1100,7 @@ static void fk_block(const stanford_arm_params *p, int path, lane_block *block)
     }
 }
 
-void stanford_arm_fk_batch(const double q[], int n, const stanford_arm_params *p, double T[])
+KINSYM_FN void stanford_arm_fk_batch(const double q[], int n, const stanford_arm_params *p, double T[])
 {
     if (p == NULL) {
         p = &stanford_arm_defaults;
@@ -1129,13 +1134,13 @@ void stanford_arm_fk_batch(const double q[], int n, const stanford_arm_params *p
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart. */
-static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
 {
     const double r = sqrt(a * a + b * b);
     const double per_r = 1.0 / r;
@@ -1148,7 +1153,8 @@ static inline double lane_homogeneous(double a, double b, double t, double c[2],
 }
 
 /* The two angles with a*cos + b*sin = e. */
-static inline double lane_linear(double a, double b, double e, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_linear(double a, double b, double e, double t, double c[2], double s[2],
+    double *marked)
 {
     const double rr = a * a + b * b;
     const double r = sqrt(rr);
@@ -1167,7 +1173,7 @@ static inline double lane_linear(double a, double b, double e, double t, double 
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -1208,7 +1214,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const stanford_arm_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const stanford_arm_params *p, lane_block *block)
 {
     const double d1 = p->d1;
     const double d2 = p->d2;
@@ -1327,7 +1333,7 @@ static void solve_block(const stanford_arm_params *p, lane_block *block)
     }
 }
 
-int stanford_arm_ik_batch(const double T[], int n, const stanford_arm_params *p,
+KINSYM_FN int stanford_arm_ik_batch(const double T[], int n, const stanford_arm_params *p,
     const double reference[STANFORD_ARM_JOINTS], double q[][STANFORD_ARM_JOINTS], int counts[])
 {
     if (p == NULL) {
@@ -1362,3 +1368,7 @@ int stanford_arm_ik_batch(const double T[], int n, const stanford_arm_params *p,
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

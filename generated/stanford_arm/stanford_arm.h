@@ -31,9 +31,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If STANFORD_ARM_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes stanford_arm.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef STANFORD_ARM_H
 #define STANFORD_ARM_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -63,13 +82,14 @@ typedef struct stanford_arm_params {
 } stanford_arm_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const stanford_arm_params stanford_arm_defaults;
+extern KINSYM_DATA const stanford_arm_params stanford_arm_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void stanford_arm_fk(const double q[STANFORD_ARM_JOINTS], const stanford_arm_params *p, double T[16]);
+KINSYM_FN void stanford_arm_fk(const double q[STANFORD_ARM_JOINTS], const stanford_arm_params *p,
+    double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void stanford_arm_jacobian(const double q[STANFORD_ARM_JOINTS], const stanford_arm_params *p,
+KINSYM_FN void stanford_arm_jacobian(const double q[STANFORD_ARM_JOINTS], const stanford_arm_params *p,
     double J[6 * STANFORD_ARM_JOINTS]);
 
 /*
@@ -91,11 +111,12 @@ void stanford_arm_jacobian(const double q[STANFORD_ARM_JOINTS], const stanford_a
  * STANFORD_ARM_BAD_PARAMETER if a parameter is not finite.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int stanford_arm_ik(const double T[16], const stanford_arm_params *p, double q[][STANFORD_ARM_JOINTS]);
+KINSYM_FN int stanford_arm_ik(const double T[16], const stanford_arm_params *p,
+    double q[][STANFORD_ARM_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int stanford_arm_ik_near(const double T[16], const stanford_arm_params *p,
+KINSYM_FN int stanford_arm_ik_near(const double T[16], const stanford_arm_params *p,
     const double reference[STANFORD_ARM_JOINTS], double q[][STANFORD_ARM_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -107,7 +128,7 @@ typedef struct stanford_arm_mark {
 } stanford_arm_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int stanford_arm_ik_marked(const double T[16], const stanford_arm_params *p,
+KINSYM_FN int stanford_arm_ik_marked(const double T[16], const stanford_arm_params *p,
     const double reference[STANFORD_ARM_JOINTS], double q[][STANFORD_ARM_JOINTS], stanford_arm_mark marks[]);
 
 /* The names of the branches by their number:
@@ -127,7 +148,8 @@ int stanford_arm_ik_marked(const double T[16], const stanford_arm_params *p,
 extern const char *const stanford_arm_branches[STANFORD_ARM_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double stanford_arm_lower[STANFORD_ARM_JOINTS], stanford_arm_upper[STANFORD_ARM_JOINTS];
+extern KINSYM_DATA const double stanford_arm_lower[STANFORD_ARM_JOINTS];
+extern KINSYM_DATA const double stanford_arm_upper[STANFORD_ARM_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct stanford_arm_solutions {
@@ -138,12 +160,12 @@ typedef struct stanford_arm_solutions {
 } stanford_arm_solutions;
 
 /* ik_marked with a status, which is returned as well; STANFORD_ARM_BAD_REFERENCE if the reference is not finite. */
-stanford_arm_status stanford_arm_solve(const double T[16], const stanford_arm_params *p,
+KINSYM_FN stanford_arm_status stanford_arm_solve(const double T[16], const stanford_arm_params *p,
     const double reference[STANFORD_ARM_JOINTS], stanford_arm_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned stanford_arm_family(unsigned free);
+KINSYM_FN unsigned stanford_arm_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -151,7 +173,7 @@ unsigned stanford_arm_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * STANFORD_ARM_BAD_LIMIT if limits are no interval. */
-int stanford_arm_within(const double T[16], const stanford_arm_params *p,
+KINSYM_FN int stanford_arm_within(const double T[16], const stanford_arm_params *p,
     const double reference[STANFORD_ARM_JOINTS], const double lower[STANFORD_ARM_JOINTS],
     const double upper[STANFORD_ARM_JOINTS], int capacity, double q[][STANFORD_ARM_JOINTS],
     stanford_arm_mark marks[]);
@@ -160,7 +182,7 @@ int stanford_arm_within(const double T[16], const stanford_arm_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. STANFORD_ARM_BAD_WEIGHT if a weight is negative or not finite. */
-stanford_arm_status stanford_arm_nearest(const double T[16], const stanford_arm_params *p,
+KINSYM_FN stanford_arm_status stanford_arm_nearest(const double T[16], const stanford_arm_params *p,
     const double reference[STANFORD_ARM_JOINTS], const double weights[STANFORD_ARM_JOINTS],
     const double lower[STANFORD_ARM_JOINTS], const double upper[STANFORD_ARM_JOINTS],
     double q[STANFORD_ARM_JOINTS]);
@@ -168,7 +190,7 @@ stanford_arm_status stanford_arm_nearest(const double T[16], const stanford_arm_
 /* Forward kinematics of n joint vectors: q has STANFORD_ARM_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void stanford_arm_fk_batch(const double q[], int n, const stanford_arm_params *p, double T[]);
+KINSYM_FN void stanford_arm_fk_batch(const double q[], int n, const stanford_arm_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -181,7 +203,7 @@ void stanford_arm_fk_batch(const double q[], int n, const stanford_arm_params *p
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 60 kB of stack are used. */
-int stanford_arm_ik_batch(const double T[], int n, const stanford_arm_params *p,
+KINSYM_FN int stanford_arm_ik_batch(const double T[], int n, const stanford_arm_params *p,
     const double reference[STANFORD_ARM_JOINTS], double q[][STANFORD_ARM_JOINTS], int counts[]);
 
 #ifdef __cplusplus

@@ -24,8 +24,9 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
@@ -35,7 +36,7 @@ double sqrt(double) __attribute__((const)); /* the library's own declaration let
 #ifdef STANFORD_PAUL_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -47,7 +48,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -84,7 +85,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -92,28 +94,29 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The angle half a turn away, in (-pi, pi]; what is too small to be seen beside pi counts as 0. */
-static inline double half_turn(double angle)
+KINSYM_FN static inline double half_turn(double angle)
 {
     const double pi = 3.141592653589793;
     return angle + (angle > 2.220446049250313e-16 ? -pi : pi);
 }
 
 /* The opposite angle in (-pi, pi]. */
-static inline double opposite(double angle)
+KINSYM_FN static inline double opposite(double angle)
 {
     const double pi = 3.141592653589793;
     return angle < pi ? -angle : angle;
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void stanford_paul_fk(const double q[STANFORD_PAUL_JOINTS], const stanford_paul_params *p, double T[16])
+KINSYM_FN void stanford_paul_fk(const double q[STANFORD_PAUL_JOINTS], const stanford_paul_params *p,
+    double T[16])
 {
     if (p == NULL) {
         for (int i = 0; i < 16; ++i) {
@@ -182,7 +185,7 @@ void stanford_paul_fk(const double q[STANFORD_PAUL_JOINTS], const stanford_paul_
     T[15] = 1.0;
 }
 
-void stanford_paul_jacobian(const double q[STANFORD_PAUL_JOINTS], const stanford_paul_params *p,
+KINSYM_FN void stanford_paul_jacobian(const double q[STANFORD_PAUL_JOINTS], const stanford_paul_params *p,
     double J[6 * STANFORD_PAUL_JOINTS])
 {
     if (p == NULL) {
@@ -206,57 +209,57 @@ void stanford_paul_jacobian(const double q[STANFORD_PAUL_JOINTS], const stanford
     const double s4 = sin(theta4);
     const double c5 = cos(theta5);
     const double s5 = sin(theta5);
-    const double product4 = c5 * d6;
-    const double sum4 = d3 + product4;
     const double product1 = c4 * s5;
-    const double product2 = c2 * product1;
-    const double product5 = d6 * product2;
-    const double sum5 = s2 * sum4 + product5;
-    const double product3 = s4 * s5;
-    const double product6 = d6 * product3;
-    const double sum6 = d2 + product6;
+    const double product3 = c2 * product1;
+    const double product11 = d6 * product3;
+    const double product4 = d6 * c5;
+    const double sum4 = product4 + d3;
+    const double sum5 = product11 + s2 * sum4;
+    const double product2 = s5 * s4;
+    const double product10 = d6 * product2;
+    const double sum6 = product10 + d2;
     const double oE_x = c1 * sum5 - s1 * sum6;
     const double oE_y = c1 * sum6 + s1 * sum5;
-    const double product7 = product1 * s2;
-    const double oE_z = c2 * sum4 - product7 * d6;
-    const double product8 = c1 * s2;
-    const double z3_x = product8;
-    const double product9 = s1 * s2;
-    const double z3_y = product9;
-    const double o4_x = product8 * d3 - d2 * s1;
-    const double o4_y = d2 * c1 + product9 * d3;
+    const double product9 = s2 * product1;
+    const double oE_z = c2 * sum4 - product9 * d6;
+    const double product5 = s2 * c1;
+    const double z3_x = product5;
+    const double product6 = s2 * s1;
+    const double z3_y = product6;
+    const double o4_x = product5 * d3 - d2 * s1;
+    const double o4_y = d2 * c1 + product6 * d3;
     const double o4_z = d3 * c2;
-    const double product10 = c2 * s4;
-    const double z5_x = -product10 * c1 - s1 * c4;
-    const double z5_y = c1 * c4 - product10 * s1;
+    const double product7 = c2 * s4;
+    const double z5_x = -product7 * c1 - s1 * c4;
+    const double z5_y = c1 * c4 - product7 * s1;
     const double z5_z = s2 * s4;
-    const double product11 = c5 * s2;
-    const double sum7 = product11 + product2;
-    const double z6_x = c1 * sum7 - product3 * s1;
-    const double z6_y = product3 * c1 + s1 * sum7;
-    const double z6_z = c2 * c5 - product7;
-    const double sum1 = o4_z - oE_z;
-    const double sum2 = o4_y - oE_y;
-    const double sum3 = o4_x - oE_x;
+    const double product8 = c5 * s2;
+    const double sum7 = product3 + product8;
+    const double z6_x = c1 * sum7 - product2 * s1;
+    const double z6_y = product2 * c1 + s1 * sum7;
+    const double z6_z = c2 * c5 - product9;
+    const double sum1 = oE_z - o4_z;
+    const double sum2 = oE_y - o4_y;
+    const double sum3 = oE_x - o4_x;
 
     J[0] = -oE_y;
     J[1] = c1 * oE_z;
     J[2] = z3_x;
-    J[3] = -z3_y * sum1 + c2 * sum2;
-    J[4] = -z5_y * sum1 + z5_z * sum2;
-    J[5] = -z6_y * sum1 + z6_z * sum2;
+    J[3] = z3_y * sum1 - c2 * sum2;
+    J[4] = z5_y * sum1 - z5_z * sum2;
+    J[5] = z6_y * sum1 - z6_z * sum2;
     J[6] = oE_x;
     J[7] = s1 * oE_z;
     J[8] = z3_y;
-    J[9] = -c2 * sum3 + z3_x * sum1;
-    J[10] = -z5_z * sum3 + z5_x * sum1;
-    J[11] = -z6_z * sum3 + z6_x * sum1;
+    J[9] = c2 * sum3 - z3_x * sum1;
+    J[10] = z5_z * sum3 - z5_x * sum1;
+    J[11] = z6_z * sum3 - z6_x * sum1;
     J[12] = 0.0;
     J[13] = -s1 * oE_y - c1 * oE_x;
     J[14] = c2;
-    J[15] = -z3_x * sum2 + z3_y * sum3;
-    J[16] = -z5_x * sum2 + z5_y * sum3;
-    J[17] = -z6_x * sum2 + z6_y * sum3;
+    J[15] = z3_x * sum2 - z3_y * sum3;
+    J[16] = z5_x * sum2 - z5_y * sum3;
+    J[17] = z6_x * sum2 - z6_y * sum3;
     J[18] = 0.0;
     J[19] = -s1;
     J[20] = 0.0;
@@ -288,7 +291,8 @@ void stanford_paul_jacobian(const double q[STANFORD_PAUL_JOINTS], const stanford
 #define NEAR 67108864.0
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2],
+    int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
@@ -308,8 +312,8 @@ static int solve_homogeneous(double a, double b, double t, double reference, dou
 
 /* The angles with a*cos + b*sin = e: two; one on the border, where they meet; one, free, if a, b, e vanish. Beyond
  * the border there is none, but just beyond it, or anywhere if loose, one in doubt. */
-static int solve_linear(double a, double b, double e, double t, double reference, int loose,
-                        double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_linear(double a, double b, double e, double t, double reference, int loose, double c[2],
+    double s[2], int mark[2])
 {
     const double rr = a * a + b * b;
     const double r = sqrt(rr);
@@ -343,7 +347,7 @@ static int solve_linear(double a, double b, double e, double t, double reference
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -384,7 +388,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -400,13 +404,13 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether every parameter has a finite value. */
-static int usable(const stanford_paul_params *p)
+KINSYM_FN static int usable(const stanford_paul_params *p)
 {
     return p != NULL && isfinite(p->d2) && isfinite(p->d6);
 }
 
 /* Whether all joint values are numbers; lengths near the limits of double precision can overflow on the way. */
-static int all_finite(const double q[STANFORD_PAUL_JOINTS])
+KINSYM_FN static int all_finite(const double q[STANFORD_PAUL_JOINTS])
 {
     for (int i = 0; i < STANFORD_PAUL_JOINTS; ++i) {
         if (!isfinite(q[i])) {
@@ -418,13 +422,13 @@ static int all_finite(const double q[STANFORD_PAUL_JOINTS])
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 12
-static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+static KINSYM_DATA const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
 
 /* Whether a joint slides. */
-static const int slides[STANFORD_PAUL_JOINTS] = {0, 0, 1, 0, 0, 0};
+static KINSYM_DATA const int slides[STANFORD_PAUL_JOINTS] = {0, 0, 1, 0, 0, 0};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[STANFORD_PAUL_JOINTS], const stanford_paul_params *p,
+KINSYM_FN static double distance(const double q[STANFORD_PAUL_JOINTS], const stanford_paul_params *p,
     const double M[12], double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
@@ -438,7 +442,7 @@ static double distance(const double q[STANFORD_PAUL_JOINTS], const stanford_paul
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[STANFORD_PAUL_JOINTS], const stanford_paul_params *p, double size,
+KINSYM_FN static void slopes(const double q[STANFORD_PAUL_JOINTS], const stanford_paul_params *p, double size,
     double D[ENTRIES][STANFORD_PAUL_JOINTS])
 {
     double T[16], J[6 * STANFORD_PAUL_JOINTS];
@@ -458,7 +462,7 @@ static void slopes(const double q[STANFORD_PAUL_JOINTS], const stanford_paul_par
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][STANFORD_PAUL_JOINTS], const double e[ENTRIES], double damping,
+KINSYM_FN static void step(double D[ENTRIES][STANFORD_PAUL_JOINTS], const double e[ENTRIES], double damping,
     double g[STANFORD_PAUL_JOINTS])
 {
     double A[STANFORD_PAUL_JOINTS + 1][ENTRIES + STANFORD_PAUL_JOINTS];
@@ -491,8 +495,8 @@ static void step(double D[ENTRIES][STANFORD_PAUL_JOINTS], const double e[ENTRIES
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[STANFORD_PAUL_JOINTS], const stanford_paul_params *p, const double M[12],
-    double size)
+KINSYM_FN static double polish(double q[STANFORD_PAUL_JOINTS], const stanford_paul_params *p,
+    const double M[12], double size)
 {
     double e[ENTRIES], D[ENTRIES][STANFORD_PAUL_JOINTS], g[STANFORD_PAUL_JOINTS], trial[STANFORD_PAUL_JOINTS];
     double left = distance(q, p, M, size, e), caution = 1.0;
@@ -521,8 +525,8 @@ static double polish(double q[STANFORD_PAUL_JOINTS], const stanford_paul_params 
  * Where two borders cross the distance is stationary, and a second start lies beside it. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
-static int settle(double q[][STANFORD_PAUL_JOINTS], stanford_paul_mark marks[], double alike[], unsigned twin,
-    int mark, const stanford_paul_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settle(double q[][STANFORD_PAUL_JOINTS], stanford_paul_mark marks[], double alike[],
+    unsigned twin, int mark, const stanford_paul_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[STANFORD_PAUL_JOINTS], other[STANFORD_PAUL_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -566,8 +570,8 @@ static int settle(double q[][STANFORD_PAUL_JOINTS], stanford_paul_mark marks[], 
 
 /* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
  * alike tells, and puts the rest in the order of their branches; returns how many are left. */
-static int tidied(double q[][STANFORD_PAUL_JOINTS], stanford_paul_mark marks[], const double alike[],
-    int count, double size)
+KINSYM_FN static int tidied(double q[][STANFORD_PAUL_JOINTS], stanford_paul_mark marks[],
+    const double alike[], int count, double size)
 {
     int kept = 0;
     for (int i = 0; i < count; ++i) {
@@ -603,8 +607,8 @@ static int tidied(double q[][STANFORD_PAUL_JOINTS], stanford_paul_mark marks[], 
 }
 
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
-static int settled(double q[][STANFORD_PAUL_JOINTS], stanford_paul_mark marks[], const int found[], int count,
-    const stanford_paul_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settled(double q[][STANFORD_PAUL_JOINTS], stanford_paul_mark marks[], const int found[],
+    int count, const stanford_paul_params *p, const double M[12], double tau, double size)
 {
     double given[STANFORD_PAUL_MAX_SOLUTIONS][STANFORD_PAUL_JOINTS];
     unsigned branches[STANFORD_PAUL_MAX_SOLUTIONS];
@@ -636,7 +640,7 @@ static int settled(double q[][STANFORD_PAUL_JOINTS], stanford_paul_mark marks[],
     return tidied(q, marks, alike, kept, size);
 }
 
-int stanford_paul_ik_marked(const double T[16], const stanford_paul_params *p,
+KINSYM_FN int stanford_paul_ik_marked(const double T[16], const stanford_paul_params *p,
     const double reference[STANFORD_PAUL_JOINTS], double q[][STANFORD_PAUL_JOINTS],
     stanford_paul_mark marks[])
 {
@@ -797,14 +801,15 @@ int stanford_paul_ik_marked(const double T[16], const stanford_paul_params *p,
     return special ? settled(q, marks, found, count, p, M, tau, size) : count;
 }
 
-int stanford_paul_ik_near(const double T[16], const stanford_paul_params *p,
+KINSYM_FN int stanford_paul_ik_near(const double T[16], const stanford_paul_params *p,
     const double reference[STANFORD_PAUL_JOINTS], double q[][STANFORD_PAUL_JOINTS])
 {
     stanford_paul_mark marks[STANFORD_PAUL_MAX_SOLUTIONS];
     return stanford_paul_ik_marked(T, p, reference, q, marks);
 }
 
-int stanford_paul_ik(const double T[16], const stanford_paul_params *p, double q[][STANFORD_PAUL_JOINTS])
+KINSYM_FN int stanford_paul_ik(const double T[16], const stanford_paul_params *p,
+    double q[][STANFORD_PAUL_JOINTS])
 {
     return stanford_paul_ik_near(T, p, NULL, q);
 }
@@ -820,20 +825,20 @@ const char *const stanford_paul_branches[STANFORD_PAUL_MAX_SOLUTIONS] = {
     "shoulder right, d3 < 0, wrist flipped",
 };
 
-const double stanford_paul_lower[STANFORD_PAUL_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
-    -HUGE_VAL, -HUGE_VAL};
-const double stanford_paul_upper[STANFORD_PAUL_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
-    HUGE_VAL};
+KINSYM_DATA const double stanford_paul_lower[STANFORD_PAUL_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+    -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+KINSYM_DATA const double stanford_paul_upper[STANFORD_PAUL_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
+    HUGE_VAL, HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "RRPRRR";
+static KINSYM_DATA const char kinds[] = "RRPRRR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[STANFORD_PAUL_JOINTS])
+KINSYM_FN static int are_numbers(const double x[STANFORD_PAUL_JOINTS])
 {
     for (int i = 0; x != NULL && i < STANFORD_PAUL_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -844,7 +849,7 @@ static int are_numbers(const double x[STANFORD_PAUL_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[STANFORD_PAUL_JOINTS], const double upper[STANFORD_PAUL_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[STANFORD_PAUL_JOINTS], const double upper[STANFORD_PAUL_JOINTS])
 {
     for (int i = 0; i < STANFORD_PAUL_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -855,7 +860,7 @@ static int all_intervals(const double lower[STANFORD_PAUL_JOINTS], const double 
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -863,18 +868,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static stanford_paul_status status_of(stanford_paul_mark special)
+KINSYM_FN static stanford_paul_status status_of(stanford_paul_mark special)
 {
     return special.free | special.border ? STANFORD_PAUL_SINGULAR : STANFORD_PAUL_SOLVED;
 }
 
-stanford_paul_status stanford_paul_solve(const double T[16], const stanford_paul_params *p,
+KINSYM_FN stanford_paul_status stanford_paul_solve(const double T[16], const stanford_paul_params *p,
     const double reference[STANFORD_PAUL_JOINTS], stanford_paul_solutions *out)
 {
     out->count = 0;
@@ -898,7 +903,7 @@ stanford_paul_status stanford_paul_solve(const double T[16], const stanford_paul
     return out->status;
 }
 
-unsigned stanford_paul_family(unsigned free)
+KINSYM_FN unsigned stanford_paul_family(unsigned free)
 {
     unsigned moving = free;
     moving |= (free & 2u) == 2u ? 58u : 0u;
@@ -906,7 +911,7 @@ unsigned stanford_paul_family(unsigned free)
     return moving;
 }
 
-int stanford_paul_within(const double T[16], const stanford_paul_params *p,
+KINSYM_FN int stanford_paul_within(const double T[16], const stanford_paul_params *p,
     const double reference[STANFORD_PAUL_JOINTS], const double lower[STANFORD_PAUL_JOINTS],
     const double upper[STANFORD_PAUL_JOINTS], int capacity, double q[][STANFORD_PAUL_JOINTS],
     stanford_paul_mark marks[])
@@ -952,7 +957,7 @@ int stanford_paul_within(const double T[16], const stanford_paul_params *p,
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-stanford_paul_status stanford_paul_nearest(const double T[16], const stanford_paul_params *p,
+KINSYM_FN stanford_paul_status stanford_paul_nearest(const double T[16], const stanford_paul_params *p,
     const double reference[STANFORD_PAUL_JOINTS], const double weights[STANFORD_PAUL_JOINTS],
     const double lower[STANFORD_PAUL_JOINTS], const double upper[STANFORD_PAUL_JOINTS],
     double q[STANFORD_PAUL_JOINTS])
@@ -1015,7 +1020,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -1033,18 +1038,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const stanford_paul_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const stanford_paul_params *p, int path, lane_block *block)
 {
     const double d2 = p->d2;
     const double d6 = p->d6;
@@ -1111,7 +1116,7 @@ static void fk_block(const stanford_paul_params *p, int path, lane_block *block)
     }
 }
 
-void stanford_paul_fk_batch(const double q[], int n, const stanford_paul_params *p, double T[])
+KINSYM_FN void stanford_paul_fk_batch(const double q[], int n, const stanford_paul_params *p, double T[])
 {
     lane_block block;
     for (int first = 0; first < n; first += LANES) {
@@ -1144,13 +1149,13 @@ void stanford_paul_fk_batch(const double q[], int n, const stanford_paul_params 
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart. */
-static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
 {
     const double r = sqrt(a * a + b * b);
     const double per_r = 1.0 / r;
@@ -1163,7 +1168,8 @@ static inline double lane_homogeneous(double a, double b, double t, double c[2],
 }
 
 /* The two angles with a*cos + b*sin = e. */
-static inline double lane_linear(double a, double b, double e, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_linear(double a, double b, double e, double t, double c[2], double s[2],
+    double *marked)
 {
     const double rr = a * a + b * b;
     const double r = sqrt(rr);
@@ -1182,7 +1188,7 @@ static inline double lane_linear(double a, double b, double e, double t, double 
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -1223,7 +1229,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const stanford_paul_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const stanford_paul_params *p, lane_block *block)
 {
     const double d2 = p->d2;
     const double d6 = p->d6;
@@ -1346,7 +1352,7 @@ static void solve_block(const stanford_paul_params *p, lane_block *block)
     }
 }
 
-int stanford_paul_ik_batch(const double T[], int n, const stanford_paul_params *p,
+KINSYM_FN int stanford_paul_ik_batch(const double T[], int n, const stanford_paul_params *p,
     const double reference[STANFORD_PAUL_JOINTS], double q[][STANFORD_PAUL_JOINTS], int counts[])
 {
     if (!usable(p)) {
@@ -1378,3 +1384,7 @@ int stanford_paul_ik_batch(const double T[], int n, const stanford_paul_params *
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

@@ -25,8 +25,9 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
@@ -36,7 +37,7 @@ double sqrt(double) __attribute__((const)); /* the library's own declaration let
 #ifdef STANFORD_SCREW_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -48,7 +49,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -85,7 +86,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -93,28 +95,29 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The angle half a turn away, in (-pi, pi]; what is too small to be seen beside pi counts as 0. */
-static inline double half_turn(double angle)
+KINSYM_FN static inline double half_turn(double angle)
 {
     const double pi = 3.141592653589793;
     return angle + (angle > 2.220446049250313e-16 ? -pi : pi);
 }
 
 /* The opposite angle in (-pi, pi]. */
-static inline double opposite(double angle)
+KINSYM_FN static inline double opposite(double angle)
 {
     const double pi = 3.141592653589793;
     return angle < pi ? -angle : angle;
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void stanford_screw_fk(const double q[STANFORD_SCREW_JOINTS], const stanford_screw_params *p, double T[16])
+KINSYM_FN void stanford_screw_fk(const double q[STANFORD_SCREW_JOINTS], const stanford_screw_params *p,
+    double T[16])
 {
     if (p == NULL) {
         for (int i = 0; i < 16; ++i) {
@@ -183,7 +186,7 @@ void stanford_screw_fk(const double q[STANFORD_SCREW_JOINTS], const stanford_scr
     T[15] = 1.0;
 }
 
-void stanford_screw_jacobian(const double q[STANFORD_SCREW_JOINTS], const stanford_screw_params *p,
+KINSYM_FN void stanford_screw_jacobian(const double q[STANFORD_SCREW_JOINTS], const stanford_screw_params *p,
     double J[6 * STANFORD_SCREW_JOINTS])
 {
     if (p == NULL) {
@@ -208,56 +211,56 @@ void stanford_screw_jacobian(const double q[STANFORD_SCREW_JOINTS], const stanfo
     const double c5 = cos(theta5);
     const double s5 = sin(theta5);
     const double product2 = c4 * s5;
-    const double product5 = h * product2;
-    const double sum5 = g - product5;
-    const double product4 = c5 * h;
-    const double sum4 = d3 + product4;
-    const double product1 = s4 * s5;
-    const double product3 = product1 * s2;
-    const double product6 = h * product3;
-    const double sum6 = c2 * sum4 - product6;
-    const double oE_x = c1 * sum5 - s1 * sum6;
-    const double oE_y = c1 * sum6 + s1 * sum5;
-    const double product7 = c2 * product1;
-    const double oE_z = product7 * h + s2 * sum4;
-    const double product8 = c2 * s1;
-    const double z3_x = -product8;
-    const double product9 = c1 * c2;
-    const double z3_y = product9;
-    const double o4_x = g * c1 - product8 * d3;
-    const double o4_y = product9 * d3 + g * s1;
+    const double product10 = h * product2;
+    const double sum5 = g - product10;
+    const double product1 = s5 * s4;
+    const double product3 = s2 * product1;
+    const double product11 = h * product3;
+    const double product4 = h * c5;
+    const double sum4 = product4 + d3;
+    const double sum6 = product11 - c2 * sum4;
+    const double oE_x = c1 * sum5 + s1 * sum6;
+    const double oE_y = -c1 * sum6 + s1 * sum5;
+    const double product9 = c2 * product1;
+    const double oE_z = product9 * h + s2 * sum4;
+    const double product5 = c2 * s1;
+    const double z3_x = -product5;
+    const double product6 = c1 * c2;
+    const double z3_y = product6;
+    const double o4_x = g * c1 - product5 * d3;
+    const double o4_y = product6 * d3 + g * s1;
     const double o4_z = d3 * s2;
-    const double product10 = c4 * s2;
-    const double z5_x = c1 * s4 + product10 * s1;
-    const double z5_y = s1 * s4 - product10 * c1;
+    const double product7 = c4 * s2;
+    const double z5_x = c1 * s4 + product7 * s1;
+    const double z5_y = s1 * s4 - product7 * c1;
     const double z5_z = c2 * c4;
-    const double product11 = c2 * c5;
-    const double sum7 = product11 - product3;
-    const double z6_x = -s1 * sum7 - product2 * c1;
-    const double z6_y = c1 * sum7 - product2 * s1;
-    const double z6_z = product7 + s2 * c5;
-    const double sum1 = o4_z - oE_z;
-    const double sum2 = o4_y - oE_y;
-    const double sum3 = o4_x - oE_x;
+    const double product8 = c5 * c2;
+    const double sum7 = product3 - product8;
+    const double z6_x = s1 * sum7 - product2 * c1;
+    const double z6_y = -c1 * sum7 - product2 * s1;
+    const double z6_z = product9 + s2 * c5;
+    const double sum1 = oE_z - o4_z;
+    const double sum2 = oE_y - o4_y;
+    const double sum3 = oE_x - o4_x;
 
     J[0] = -oE_y;
     J[1] = s1 * oE_z;
     J[2] = z3_x;
-    J[3] = -z3_y * sum1 + s2 * sum2;
-    J[4] = -z5_y * sum1 + z5_z * sum2;
-    J[5] = -z6_y * sum1 + z6_z * sum2;
+    J[3] = z3_y * sum1 - s2 * sum2;
+    J[4] = z5_y * sum1 - z5_z * sum2;
+    J[5] = z6_y * sum1 - z6_z * sum2;
     J[6] = oE_x;
     J[7] = -c1 * oE_z;
     J[8] = z3_y;
-    J[9] = -s2 * sum3 + z3_x * sum1;
-    J[10] = -z5_z * sum3 + z5_x * sum1;
-    J[11] = -z6_z * sum3 + z6_x * sum1;
+    J[9] = s2 * sum3 - z3_x * sum1;
+    J[10] = z5_z * sum3 - z5_x * sum1;
+    J[11] = z6_z * sum3 - z6_x * sum1;
     J[12] = 0.0;
     J[13] = c1 * oE_y - s1 * oE_x;
     J[14] = s2;
-    J[15] = -z3_x * sum2 + z3_y * sum3;
-    J[16] = -z5_x * sum2 + z5_y * sum3;
-    J[17] = -z6_x * sum2 + z6_y * sum3;
+    J[15] = z3_x * sum2 - z3_y * sum3;
+    J[16] = z5_x * sum2 - z5_y * sum3;
+    J[17] = z6_x * sum2 - z6_y * sum3;
     J[18] = 0.0;
     J[19] = c1;
     J[20] = 0.0;
@@ -289,7 +292,8 @@ void stanford_screw_jacobian(const double q[STANFORD_SCREW_JOINTS], const stanfo
 #define NEAR 67108864.0
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2],
+    int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
@@ -309,8 +313,8 @@ static int solve_homogeneous(double a, double b, double t, double reference, dou
 
 /* The angles with a*cos + b*sin = e: two; one on the border, where they meet; one, free, if a, b, e vanish. Beyond
  * the border there is none, but just beyond it, or anywhere if loose, one in doubt. */
-static int solve_linear(double a, double b, double e, double t, double reference, int loose,
-                        double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_linear(double a, double b, double e, double t, double reference, int loose, double c[2],
+    double s[2], int mark[2])
 {
     const double rr = a * a + b * b;
     const double r = sqrt(rr);
@@ -344,7 +348,7 @@ static int solve_linear(double a, double b, double e, double t, double reference
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -385,7 +389,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -401,13 +405,13 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether every parameter has a finite value. */
-static int usable(const stanford_screw_params *p)
+KINSYM_FN static int usable(const stanford_screw_params *p)
 {
     return p != NULL && isfinite(p->g) && isfinite(p->h);
 }
 
 /* Whether all joint values are numbers; lengths near the limits of double precision can overflow on the way. */
-static int all_finite(const double q[STANFORD_SCREW_JOINTS])
+KINSYM_FN static int all_finite(const double q[STANFORD_SCREW_JOINTS])
 {
     for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
         if (!isfinite(q[i])) {
@@ -419,13 +423,13 @@ static int all_finite(const double q[STANFORD_SCREW_JOINTS])
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 12
-static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+static KINSYM_DATA const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
 
 /* Whether a joint slides. */
-static const int slides[STANFORD_SCREW_JOINTS] = {0, 0, 1, 0, 0, 0};
+static KINSYM_DATA const int slides[STANFORD_SCREW_JOINTS] = {0, 0, 1, 0, 0, 0};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[STANFORD_SCREW_JOINTS], const stanford_screw_params *p,
+KINSYM_FN static double distance(const double q[STANFORD_SCREW_JOINTS], const stanford_screw_params *p,
     const double M[12], double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
@@ -439,8 +443,8 @@ static double distance(const double q[STANFORD_SCREW_JOINTS], const stanford_scr
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[STANFORD_SCREW_JOINTS], const stanford_screw_params *p, double size,
-    double D[ENTRIES][STANFORD_SCREW_JOINTS])
+KINSYM_FN static void slopes(const double q[STANFORD_SCREW_JOINTS], const stanford_screw_params *p,
+    double size, double D[ENTRIES][STANFORD_SCREW_JOINTS])
 {
     double T[16], J[6 * STANFORD_SCREW_JOINTS];
     stanford_screw_fk(q, p, T);
@@ -459,7 +463,7 @@ static void slopes(const double q[STANFORD_SCREW_JOINTS], const stanford_screw_p
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][STANFORD_SCREW_JOINTS], const double e[ENTRIES], double damping,
+KINSYM_FN static void step(double D[ENTRIES][STANFORD_SCREW_JOINTS], const double e[ENTRIES], double damping,
     double g[STANFORD_SCREW_JOINTS])
 {
     double A[STANFORD_SCREW_JOINTS + 1][ENTRIES + STANFORD_SCREW_JOINTS];
@@ -492,8 +496,8 @@ static void step(double D[ENTRIES][STANFORD_SCREW_JOINTS], const double e[ENTRIE
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[STANFORD_SCREW_JOINTS], const stanford_screw_params *p, const double M[12],
-    double size)
+KINSYM_FN static double polish(double q[STANFORD_SCREW_JOINTS], const stanford_screw_params *p,
+    const double M[12], double size)
 {
     double e[ENTRIES], D[ENTRIES][STANFORD_SCREW_JOINTS], g[STANFORD_SCREW_JOINTS], trial[STANFORD_SCREW_JOINTS];
     double left = distance(q, p, M, size, e), caution = 1.0;
@@ -522,7 +526,7 @@ static double polish(double q[STANFORD_SCREW_JOINTS], const stanford_screw_param
  * Where two borders cross the distance is stationary, and a second start lies beside it. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
-static int settle(double q[][STANFORD_SCREW_JOINTS], stanford_screw_mark marks[], double alike[],
+KINSYM_FN static int settle(double q[][STANFORD_SCREW_JOINTS], stanford_screw_mark marks[], double alike[],
     unsigned twin, int mark, const stanford_screw_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[STANFORD_SCREW_JOINTS], other[STANFORD_SCREW_JOINTS];
@@ -567,8 +571,8 @@ static int settle(double q[][STANFORD_SCREW_JOINTS], stanford_screw_mark marks[]
 
 /* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
  * alike tells, and puts the rest in the order of their branches; returns how many are left. */
-static int tidied(double q[][STANFORD_SCREW_JOINTS], stanford_screw_mark marks[], const double alike[],
-    int count, double size)
+KINSYM_FN static int tidied(double q[][STANFORD_SCREW_JOINTS], stanford_screw_mark marks[],
+    const double alike[], int count, double size)
 {
     int kept = 0;
     for (int i = 0; i < count; ++i) {
@@ -604,8 +608,8 @@ static int tidied(double q[][STANFORD_SCREW_JOINTS], stanford_screw_mark marks[]
 }
 
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
-static int settled(double q[][STANFORD_SCREW_JOINTS], stanford_screw_mark marks[], const int found[],
-    int count, const stanford_screw_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settled(double q[][STANFORD_SCREW_JOINTS], stanford_screw_mark marks[],
+    const int found[], int count, const stanford_screw_params *p, const double M[12], double tau, double size)
 {
     double given[STANFORD_SCREW_MAX_SOLUTIONS][STANFORD_SCREW_JOINTS];
     unsigned branches[STANFORD_SCREW_MAX_SOLUTIONS];
@@ -637,7 +641,7 @@ static int settled(double q[][STANFORD_SCREW_JOINTS], stanford_screw_mark marks[
     return tidied(q, marks, alike, kept, size);
 }
 
-int stanford_screw_ik_marked(const double T[16], const stanford_screw_params *p,
+KINSYM_FN int stanford_screw_ik_marked(const double T[16], const stanford_screw_params *p,
     const double reference[STANFORD_SCREW_JOINTS], double q[][STANFORD_SCREW_JOINTS],
     stanford_screw_mark marks[])
 {
@@ -798,14 +802,15 @@ int stanford_screw_ik_marked(const double T[16], const stanford_screw_params *p,
     return special ? settled(q, marks, found, count, p, M, tau, size) : count;
 }
 
-int stanford_screw_ik_near(const double T[16], const stanford_screw_params *p,
+KINSYM_FN int stanford_screw_ik_near(const double T[16], const stanford_screw_params *p,
     const double reference[STANFORD_SCREW_JOINTS], double q[][STANFORD_SCREW_JOINTS])
 {
     stanford_screw_mark marks[STANFORD_SCREW_MAX_SOLUTIONS];
     return stanford_screw_ik_marked(T, p, reference, q, marks);
 }
 
-int stanford_screw_ik(const double T[16], const stanford_screw_params *p, double q[][STANFORD_SCREW_JOINTS])
+KINSYM_FN int stanford_screw_ik(const double T[16], const stanford_screw_params *p,
+    double q[][STANFORD_SCREW_JOINTS])
 {
     return stanford_screw_ik_near(T, p, NULL, q);
 }
@@ -821,20 +826,20 @@ const char *const stanford_screw_branches[STANFORD_SCREW_MAX_SOLUTIONS] = {
     "shoulder right, d3 < 0, wrist not flipped",
 };
 
-const double stanford_screw_lower[STANFORD_SCREW_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
-    -HUGE_VAL, -HUGE_VAL};
-const double stanford_screw_upper[STANFORD_SCREW_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
-    HUGE_VAL};
+KINSYM_DATA const double stanford_screw_lower[STANFORD_SCREW_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+    -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+KINSYM_DATA const double stanford_screw_upper[STANFORD_SCREW_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL,
+    HUGE_VAL, HUGE_VAL, HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "RRPRRR";
+static KINSYM_DATA const char kinds[] = "RRPRRR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[STANFORD_SCREW_JOINTS])
+KINSYM_FN static int are_numbers(const double x[STANFORD_SCREW_JOINTS])
 {
     for (int i = 0; x != NULL && i < STANFORD_SCREW_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -845,7 +850,7 @@ static int are_numbers(const double x[STANFORD_SCREW_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[STANFORD_SCREW_JOINTS], const double upper[STANFORD_SCREW_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[STANFORD_SCREW_JOINTS], const double upper[STANFORD_SCREW_JOINTS])
 {
     for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -856,7 +861,7 @@ static int all_intervals(const double lower[STANFORD_SCREW_JOINTS], const double
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -864,18 +869,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static stanford_screw_status status_of(stanford_screw_mark special)
+KINSYM_FN static stanford_screw_status status_of(stanford_screw_mark special)
 {
     return special.free | special.border ? STANFORD_SCREW_SINGULAR : STANFORD_SCREW_SOLVED;
 }
 
-stanford_screw_status stanford_screw_solve(const double T[16], const stanford_screw_params *p,
+KINSYM_FN stanford_screw_status stanford_screw_solve(const double T[16], const stanford_screw_params *p,
     const double reference[STANFORD_SCREW_JOINTS], stanford_screw_solutions *out)
 {
     out->count = 0;
@@ -899,7 +904,7 @@ stanford_screw_status stanford_screw_solve(const double T[16], const stanford_sc
     return out->status;
 }
 
-unsigned stanford_screw_family(unsigned free)
+KINSYM_FN unsigned stanford_screw_family(unsigned free)
 {
     unsigned moving = free;
     moving |= (free & 2u) == 2u ? 58u : 0u;
@@ -907,7 +912,7 @@ unsigned stanford_screw_family(unsigned free)
     return moving;
 }
 
-int stanford_screw_within(const double T[16], const stanford_screw_params *p,
+KINSYM_FN int stanford_screw_within(const double T[16], const stanford_screw_params *p,
     const double reference[STANFORD_SCREW_JOINTS], const double lower[STANFORD_SCREW_JOINTS],
     const double upper[STANFORD_SCREW_JOINTS], int capacity, double q[][STANFORD_SCREW_JOINTS],
     stanford_screw_mark marks[])
@@ -953,7 +958,7 @@ int stanford_screw_within(const double T[16], const stanford_screw_params *p,
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-stanford_screw_status stanford_screw_nearest(const double T[16], const stanford_screw_params *p,
+KINSYM_FN stanford_screw_status stanford_screw_nearest(const double T[16], const stanford_screw_params *p,
     const double reference[STANFORD_SCREW_JOINTS], const double weights[STANFORD_SCREW_JOINTS],
     const double lower[STANFORD_SCREW_JOINTS], const double upper[STANFORD_SCREW_JOINTS],
     double q[STANFORD_SCREW_JOINTS])
@@ -1016,7 +1021,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -1034,18 +1039,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const stanford_screw_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const stanford_screw_params *p, int path, lane_block *block)
 {
     const double g = p->g;
     const double h = p->h;
@@ -1112,7 +1117,7 @@ static void fk_block(const stanford_screw_params *p, int path, lane_block *block
     }
 }
 
-void stanford_screw_fk_batch(const double q[], int n, const stanford_screw_params *p, double T[])
+KINSYM_FN void stanford_screw_fk_batch(const double q[], int n, const stanford_screw_params *p, double T[])
 {
     lane_block block;
     for (int first = 0; first < n; first += LANES) {
@@ -1145,13 +1150,13 @@ void stanford_screw_fk_batch(const double q[], int n, const stanford_screw_param
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart. */
-static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
 {
     const double r = sqrt(a * a + b * b);
     const double per_r = 1.0 / r;
@@ -1164,7 +1169,8 @@ static inline double lane_homogeneous(double a, double b, double t, double c[2],
 }
 
 /* The two angles with a*cos + b*sin = e. */
-static inline double lane_linear(double a, double b, double e, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_linear(double a, double b, double e, double t, double c[2], double s[2],
+    double *marked)
 {
     const double rr = a * a + b * b;
     const double r = sqrt(rr);
@@ -1183,7 +1189,7 @@ static inline double lane_linear(double a, double b, double e, double t, double 
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -1224,7 +1230,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const stanford_screw_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const stanford_screw_params *p, lane_block *block)
 {
     const double g = p->g;
     const double h = p->h;
@@ -1347,7 +1353,7 @@ static void solve_block(const stanford_screw_params *p, lane_block *block)
     }
 }
 
-int stanford_screw_ik_batch(const double T[], int n, const stanford_screw_params *p,
+KINSYM_FN int stanford_screw_ik_batch(const double T[], int n, const stanford_screw_params *p,
     const double reference[STANFORD_SCREW_JOINTS], double q[][STANFORD_SCREW_JOINTS], int counts[])
 {
     if (!usable(p)) {
@@ -1379,3 +1385,7 @@ int stanford_screw_ik_batch(const double T[], int n, const stanford_screw_params
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

@@ -32,9 +32,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If TECHMAN_TM5_700_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes techman_tm5_700.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef TECHMAN_TM5_700_H
 #define TECHMAN_TM5_700_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -67,15 +86,15 @@ typedef struct techman_tm5_700_params {
 } techman_tm5_700_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const techman_tm5_700_params techman_tm5_700_defaults;
+extern KINSYM_DATA const techman_tm5_700_params techman_tm5_700_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void techman_tm5_700_fk(const double q[TECHMAN_TM5_700_JOINTS], const techman_tm5_700_params *p,
+KINSYM_FN void techman_tm5_700_fk(const double q[TECHMAN_TM5_700_JOINTS], const techman_tm5_700_params *p,
     double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void techman_tm5_700_jacobian(const double q[TECHMAN_TM5_700_JOINTS], const techman_tm5_700_params *p,
-    double J[6 * TECHMAN_TM5_700_JOINTS]);
+KINSYM_FN void techman_tm5_700_jacobian(const double q[TECHMAN_TM5_700_JOINTS],
+    const techman_tm5_700_params *p, double J[6 * TECHMAN_TM5_700_JOINTS]);
 
 /*
  * Singular poses:
@@ -100,12 +119,12 @@ void techman_tm5_700_jacobian(const double q[TECHMAN_TM5_700_JOINTS], const tech
  * or if one of these vanishes, which the equations take for granted: a2, a3.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int techman_tm5_700_ik(const double T[16], const techman_tm5_700_params *p,
+KINSYM_FN int techman_tm5_700_ik(const double T[16], const techman_tm5_700_params *p,
     double q[][TECHMAN_TM5_700_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int techman_tm5_700_ik_near(const double T[16], const techman_tm5_700_params *p,
+KINSYM_FN int techman_tm5_700_ik_near(const double T[16], const techman_tm5_700_params *p,
     const double reference[TECHMAN_TM5_700_JOINTS], double q[][TECHMAN_TM5_700_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -117,7 +136,7 @@ typedef struct techman_tm5_700_mark {
 } techman_tm5_700_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int techman_tm5_700_ik_marked(const double T[16], const techman_tm5_700_params *p,
+KINSYM_FN int techman_tm5_700_ik_marked(const double T[16], const techman_tm5_700_params *p,
     const double reference[TECHMAN_TM5_700_JOINTS], double q[][TECHMAN_TM5_700_JOINTS],
     techman_tm5_700_mark marks[]);
 
@@ -139,7 +158,8 @@ int techman_tm5_700_ik_marked(const double T[16], const techman_tm5_700_params *
 extern const char *const techman_tm5_700_branches[TECHMAN_TM5_700_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double techman_tm5_700_lower[TECHMAN_TM5_700_JOINTS], techman_tm5_700_upper[TECHMAN_TM5_700_JOINTS];
+extern KINSYM_DATA const double techman_tm5_700_lower[TECHMAN_TM5_700_JOINTS];
+extern KINSYM_DATA const double techman_tm5_700_upper[TECHMAN_TM5_700_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct techman_tm5_700_solutions {
@@ -150,12 +170,12 @@ typedef struct techman_tm5_700_solutions {
 } techman_tm5_700_solutions;
 
 /* ik_marked with a status, which is returned as well; TECHMAN_TM5_700_BAD_REFERENCE if the reference is not finite. */
-techman_tm5_700_status techman_tm5_700_solve(const double T[16], const techman_tm5_700_params *p,
+KINSYM_FN techman_tm5_700_status techman_tm5_700_solve(const double T[16], const techman_tm5_700_params *p,
     const double reference[TECHMAN_TM5_700_JOINTS], techman_tm5_700_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned techman_tm5_700_family(unsigned free);
+KINSYM_FN unsigned techman_tm5_700_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -163,7 +183,7 @@ unsigned techman_tm5_700_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * TECHMAN_TM5_700_BAD_LIMIT if limits are no interval. */
-int techman_tm5_700_within(const double T[16], const techman_tm5_700_params *p,
+KINSYM_FN int techman_tm5_700_within(const double T[16], const techman_tm5_700_params *p,
     const double reference[TECHMAN_TM5_700_JOINTS], const double lower[TECHMAN_TM5_700_JOINTS],
     const double upper[TECHMAN_TM5_700_JOINTS], int capacity, double q[][TECHMAN_TM5_700_JOINTS],
     techman_tm5_700_mark marks[]);
@@ -172,7 +192,7 @@ int techman_tm5_700_within(const double T[16], const techman_tm5_700_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. TECHMAN_TM5_700_BAD_WEIGHT if a weight is negative or not finite. */
-techman_tm5_700_status techman_tm5_700_nearest(const double T[16], const techman_tm5_700_params *p,
+KINSYM_FN techman_tm5_700_status techman_tm5_700_nearest(const double T[16], const techman_tm5_700_params *p,
     const double reference[TECHMAN_TM5_700_JOINTS], const double weights[TECHMAN_TM5_700_JOINTS],
     const double lower[TECHMAN_TM5_700_JOINTS], const double upper[TECHMAN_TM5_700_JOINTS],
     double q[TECHMAN_TM5_700_JOINTS]);
@@ -180,7 +200,7 @@ techman_tm5_700_status techman_tm5_700_nearest(const double T[16], const techman
 /* Forward kinematics of n joint vectors: q has TECHMAN_TM5_700_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void techman_tm5_700_fk_batch(const double q[], int n, const techman_tm5_700_params *p, double T[]);
+KINSYM_FN void techman_tm5_700_fk_batch(const double q[], int n, const techman_tm5_700_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -193,7 +213,7 @@ void techman_tm5_700_fk_batch(const double q[], int n, const techman_tm5_700_par
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 60 kB of stack are used. */
-int techman_tm5_700_ik_batch(const double T[], int n, const techman_tm5_700_params *p,
+KINSYM_FN int techman_tm5_700_ik_batch(const double T[], int n, const techman_tm5_700_params *p,
     const double reference[TECHMAN_TM5_700_JOINTS], double q[][TECHMAN_TM5_700_JOINTS], int counts[]);
 
 #ifdef __cplusplus

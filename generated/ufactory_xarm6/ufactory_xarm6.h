@@ -31,9 +31,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If UFACTORY_XARM6_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes ufactory_xarm6.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef UFACTORY_XARM6_H
 #define UFACTORY_XARM6_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -67,13 +86,14 @@ typedef struct ufactory_xarm6_params {
 } ufactory_xarm6_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const ufactory_xarm6_params ufactory_xarm6_defaults;
+extern KINSYM_DATA const ufactory_xarm6_params ufactory_xarm6_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void ufactory_xarm6_fk(const double q[UFACTORY_XARM6_JOINTS], const ufactory_xarm6_params *p, double T[16]);
+KINSYM_FN void ufactory_xarm6_fk(const double q[UFACTORY_XARM6_JOINTS], const ufactory_xarm6_params *p,
+    double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void ufactory_xarm6_jacobian(const double q[UFACTORY_XARM6_JOINTS], const ufactory_xarm6_params *p,
+KINSYM_FN void ufactory_xarm6_jacobian(const double q[UFACTORY_XARM6_JOINTS], const ufactory_xarm6_params *p,
     double J[6 * UFACTORY_XARM6_JOINTS]);
 
 /*
@@ -92,10 +112,11 @@ void ufactory_xarm6_jacobian(const double q[UFACTORY_XARM6_JOINTS], const ufacto
  * Roots of a polynomial of degree 16, each polished until the pose agrees within 1e-10 of the arm's
  * size, as a rule within rounding. Where two solutions meet, at the border of the workspace, one is returned. Where
  * a joint is free there is a continuum of solutions, of which some are found. About 25 kB of stack are used. */
-int ufactory_xarm6_ik(const double T[16], const ufactory_xarm6_params *p, double q[][UFACTORY_XARM6_JOINTS]);
+KINSYM_FN int ufactory_xarm6_ik(const double T[16], const ufactory_xarm6_params *p,
+    double q[][UFACTORY_XARM6_JOINTS]);
 
 /* The same: the reference is there so that every arm is called alike, and is not read. */
-int ufactory_xarm6_ik_near(const double T[16], const ufactory_xarm6_params *p,
+KINSYM_FN int ufactory_xarm6_ik_near(const double T[16], const ufactory_xarm6_params *p,
     const double reference[UFACTORY_XARM6_JOINTS], double q[][UFACTORY_XARM6_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the order of the solutions; free and border are
@@ -105,7 +126,7 @@ typedef struct ufactory_xarm6_mark {
 } ufactory_xarm6_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int ufactory_xarm6_ik_marked(const double T[16], const ufactory_xarm6_params *p,
+KINSYM_FN int ufactory_xarm6_ik_marked(const double T[16], const ufactory_xarm6_params *p,
     const double reference[UFACTORY_XARM6_JOINTS], double q[][UFACTORY_XARM6_JOINTS],
     ufactory_xarm6_mark marks[]);
 
@@ -130,7 +151,8 @@ int ufactory_xarm6_ik_marked(const double T[16], const ufactory_xarm6_params *p,
 extern const char *const ufactory_xarm6_branches[UFACTORY_XARM6_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double ufactory_xarm6_lower[UFACTORY_XARM6_JOINTS], ufactory_xarm6_upper[UFACTORY_XARM6_JOINTS];
+extern KINSYM_DATA const double ufactory_xarm6_lower[UFACTORY_XARM6_JOINTS];
+extern KINSYM_DATA const double ufactory_xarm6_upper[UFACTORY_XARM6_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct ufactory_xarm6_solutions {
@@ -141,12 +163,12 @@ typedef struct ufactory_xarm6_solutions {
 } ufactory_xarm6_solutions;
 
 /* ik_marked with a status, which is returned as well; UFACTORY_XARM6_BAD_REFERENCE if the reference is not finite. */
-ufactory_xarm6_status ufactory_xarm6_solve(const double T[16], const ufactory_xarm6_params *p,
+KINSYM_FN ufactory_xarm6_status ufactory_xarm6_solve(const double T[16], const ufactory_xarm6_params *p,
     const double reference[UFACTORY_XARM6_JOINTS], ufactory_xarm6_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned ufactory_xarm6_family(unsigned free);
+KINSYM_FN unsigned ufactory_xarm6_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -154,7 +176,7 @@ unsigned ufactory_xarm6_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * UFACTORY_XARM6_BAD_LIMIT if limits are no interval. */
-int ufactory_xarm6_within(const double T[16], const ufactory_xarm6_params *p,
+KINSYM_FN int ufactory_xarm6_within(const double T[16], const ufactory_xarm6_params *p,
     const double reference[UFACTORY_XARM6_JOINTS], const double lower[UFACTORY_XARM6_JOINTS],
     const double upper[UFACTORY_XARM6_JOINTS], int capacity, double q[][UFACTORY_XARM6_JOINTS],
     ufactory_xarm6_mark marks[]);
@@ -163,7 +185,7 @@ int ufactory_xarm6_within(const double T[16], const ufactory_xarm6_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. UFACTORY_XARM6_BAD_WEIGHT if a weight is negative or not finite. */
-ufactory_xarm6_status ufactory_xarm6_nearest(const double T[16], const ufactory_xarm6_params *p,
+KINSYM_FN ufactory_xarm6_status ufactory_xarm6_nearest(const double T[16], const ufactory_xarm6_params *p,
     const double reference[UFACTORY_XARM6_JOINTS], const double weights[UFACTORY_XARM6_JOINTS],
     const double lower[UFACTORY_XARM6_JOINTS], const double upper[UFACTORY_XARM6_JOINTS],
     double q[UFACTORY_XARM6_JOINTS]);
@@ -171,7 +193,7 @@ ufactory_xarm6_status ufactory_xarm6_nearest(const double T[16], const ufactory_
 /* Forward kinematics of n joint vectors: q has UFACTORY_XARM6_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void ufactory_xarm6_fk_batch(const double q[], int n, const ufactory_xarm6_params *p, double T[]);
+KINSYM_FN void ufactory_xarm6_fk_batch(const double q[], int n, const ufactory_xarm6_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -181,7 +203,7 @@ void ufactory_xarm6_fk_batch(const double q[], int n, const ufactory_xarm6_param
  * UFACTORY_XARM6_BAD_PARAMETER as ik_near does.
  *
  * This arm's solver searches for roots pose by pose: this is a loop over ik_near. */
-int ufactory_xarm6_ik_batch(const double T[], int n, const ufactory_xarm6_params *p,
+KINSYM_FN int ufactory_xarm6_ik_batch(const double T[], int n, const ufactory_xarm6_params *p,
     const double reference[UFACTORY_XARM6_JOINTS], double q[][UFACTORY_XARM6_JOINTS], int counts[]);
 
 #ifdef __cplusplus

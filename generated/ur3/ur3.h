@@ -31,9 +31,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If UR3_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes ur3.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef UR3_H
 #define UR3_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -66,13 +85,13 @@ typedef struct ur3_params {
 } ur3_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const ur3_params ur3_defaults;
+extern KINSYM_DATA const ur3_params ur3_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void ur3_fk(const double q[UR3_JOINTS], const ur3_params *p, double T[16]);
+KINSYM_FN void ur3_fk(const double q[UR3_JOINTS], const ur3_params *p, double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void ur3_jacobian(const double q[UR3_JOINTS], const ur3_params *p, double J[6 * UR3_JOINTS]);
+KINSYM_FN void ur3_jacobian(const double q[UR3_JOINTS], const ur3_params *p, double J[6 * UR3_JOINTS]);
 
 /*
  * Singular poses:
@@ -97,11 +116,11 @@ void ur3_jacobian(const double q[UR3_JOINTS], const ur3_params *p, double J[6 * 
  * or if one of these vanishes, which the equations take for granted: a2, a3.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int ur3_ik(const double T[16], const ur3_params *p, double q[][UR3_JOINTS]);
+KINSYM_FN int ur3_ik(const double T[16], const ur3_params *p, double q[][UR3_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int ur3_ik_near(const double T[16], const ur3_params *p, const double reference[UR3_JOINTS],
+KINSYM_FN int ur3_ik_near(const double T[16], const ur3_params *p, const double reference[UR3_JOINTS],
     double q[][UR3_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -113,7 +132,7 @@ typedef struct ur3_mark {
 } ur3_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int ur3_ik_marked(const double T[16], const ur3_params *p, const double reference[UR3_JOINTS],
+KINSYM_FN int ur3_ik_marked(const double T[16], const ur3_params *p, const double reference[UR3_JOINTS],
     double q[][UR3_JOINTS], ur3_mark marks[]);
 
 /* The names of the branches by their number:
@@ -134,7 +153,8 @@ int ur3_ik_marked(const double T[16], const ur3_params *p, const double referenc
 extern const char *const ur3_branches[UR3_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double ur3_lower[UR3_JOINTS], ur3_upper[UR3_JOINTS];
+extern KINSYM_DATA const double ur3_lower[UR3_JOINTS];
+extern KINSYM_DATA const double ur3_upper[UR3_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct ur3_solutions {
@@ -145,12 +165,12 @@ typedef struct ur3_solutions {
 } ur3_solutions;
 
 /* ik_marked with a status, which is returned as well; UR3_BAD_REFERENCE if the reference is not finite. */
-ur3_status ur3_solve(const double T[16], const ur3_params *p, const double reference[UR3_JOINTS],
+KINSYM_FN ur3_status ur3_solve(const double T[16], const ur3_params *p, const double reference[UR3_JOINTS],
     ur3_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned ur3_family(unsigned free);
+KINSYM_FN unsigned ur3_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -158,7 +178,7 @@ unsigned ur3_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * UR3_BAD_LIMIT if limits are no interval. */
-int ur3_within(const double T[16], const ur3_params *p, const double reference[UR3_JOINTS],
+KINSYM_FN int ur3_within(const double T[16], const ur3_params *p, const double reference[UR3_JOINTS],
     const double lower[UR3_JOINTS], const double upper[UR3_JOINTS], int capacity, double q[][UR3_JOINTS],
     ur3_mark marks[]);
 
@@ -166,14 +186,14 @@ int ur3_within(const double T[16], const ur3_params *p, const double reference[U
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. UR3_BAD_WEIGHT if a weight is negative or not finite. */
-ur3_status ur3_nearest(const double T[16], const ur3_params *p, const double reference[UR3_JOINTS],
+KINSYM_FN ur3_status ur3_nearest(const double T[16], const ur3_params *p, const double reference[UR3_JOINTS],
     const double weights[UR3_JOINTS], const double lower[UR3_JOINTS], const double upper[UR3_JOINTS],
     double q[UR3_JOINTS]);
 
 /* Forward kinematics of n joint vectors: q has UR3_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void ur3_fk_batch(const double q[], int n, const ur3_params *p, double T[]);
+KINSYM_FN void ur3_fk_batch(const double q[], int n, const ur3_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -186,7 +206,7 @@ void ur3_fk_batch(const double q[], int n, const ur3_params *p, double T[]);
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 60 kB of stack are used. */
-int ur3_ik_batch(const double T[], int n, const ur3_params *p, const double reference[UR3_JOINTS],
+KINSYM_FN int ur3_ik_batch(const double T[], int n, const ur3_params *p, const double reference[UR3_JOINTS],
     double q[][UR3_JOINTS], int counts[]);
 
 #ifdef __cplusplus

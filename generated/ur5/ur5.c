@@ -24,15 +24,16 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
 double sqrt(double) __attribute__((const)); /* the library's own declaration lets it write errno */
 #endif
 
-const ur5_params ur5_defaults = {
+KINSYM_DATA const ur5_params ur5_defaults = {
     0.089159, /* d1 */
     -0.425, /* a2 */
     -0.39225, /* a3 */
@@ -44,7 +45,7 @@ const ur5_params ur5_defaults = {
 #ifdef UR5_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -56,7 +57,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -93,7 +94,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -101,21 +103,21 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The angle half a turn away, in (-pi, pi]; what is too small to be seen beside pi counts as 0. */
-static inline double half_turn(double angle)
+KINSYM_FN static inline double half_turn(double angle)
 {
     const double pi = 3.141592653589793;
     return angle + (angle > 2.220446049250313e-16 ? -pi : pi);
 }
 
 /* The opposite angle in (-pi, pi]. */
-static inline double opposite(double angle)
+KINSYM_FN static inline double opposite(double angle)
 {
     const double pi = 3.141592653589793;
     return angle < pi ? -angle : angle;
 }
 
 /* A sum of at most three angles of (-pi, pi], there again. */
-static inline double unwound(double angle)
+KINSYM_FN static inline double unwound(double angle)
 {
     const double pi = 3.141592653589793;
     const double turned = angle + (angle > pi ? -2.0 * pi : angle <= -pi ? 2.0 * pi : 0.0);
@@ -123,14 +125,14 @@ static inline double unwound(double angle)
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void ur5_fk(const double q[UR5_JOINTS], const ur5_params *p, double T[16])
+KINSYM_FN void ur5_fk(const double q[UR5_JOINTS], const ur5_params *p, double T[16])
 {
     if (p == NULL) {
         p = &ur5_defaults;
@@ -193,7 +195,7 @@ void ur5_fk(const double q[UR5_JOINTS], const ur5_params *p, double T[16])
     T[15] = 1.0;
 }
 
-void ur5_jacobian(const double q[UR5_JOINTS], const ur5_params *p, double J[6 * UR5_JOINTS])
+KINSYM_FN void ur5_jacobian(const double q[UR5_JOINTS], const ur5_params *p, double J[6 * UR5_JOINTS])
 {
     if (p == NULL) {
         p = &ur5_defaults;
@@ -220,70 +222,70 @@ void ur5_jacobian(const double q[UR5_JOINTS], const ur5_params *p, double J[6 * 
     const double c5 = cos(theta5);
     const double s5 = sin(theta5);
     const double product4 = c234 * s5;
-    const double product7 = d6 * product4;
+    const double product12 = d6 * product4;
     const double product3 = d5 * s234;
     const double product1 = a2 * c2;
     const double product2 = a3 * c23;
     const double sum1 = product1 + product2;
-    const double sum2 = product3 + sum1;
-    const double sum6 = product7 - sum2;
-    const double product8 = c5 * d6;
-    const double sum7 = d4 + product8;
-    const double oE_x = -c1 * sum6 + s1 * sum7;
-    const double oE_y = -s1 * sum6 - c1 * sum7;
-    const double product9 = c234 * d5;
+    const double sum4 = product3 + sum1;
+    const double sum14 = product12 - sum4;
+    const double product7 = d6 * c5;
+    const double sum6 = product7 + d4;
+    const double oE_x = -c1 * sum14 + s1 * sum6;
+    const double oE_y = -s1 * sum14 - c1 * sum6;
+    const double product8 = d5 * c234;
     const double product6 = a3 * s23;
     const double product5 = a2 * s2;
-    const double sum3 = d1 + product5;
-    const double sum5 = product6 + sum3;
-    const double sum8 = product9 - sum5;
-    const double product10 = s234 * s5;
-    const double oE_z = -sum8 - product10 * d6;
+    const double sum2 = product5 + d1;
+    const double sum5 = product6 + sum2;
+    const double sum15 = product8 - sum5;
+    const double product9 = s234 * s5;
+    const double oE_z = -sum15 - product9 * d6;
     const double o3_x = product1 * c1;
     const double o3_y = product1 * s1;
-    const double o3_z = sum3;
+    const double o3_z = sum2;
     const double o4_x = c1 * sum1;
     const double o4_y = s1 * sum1;
     const double o4_z = sum5;
     const double z5_x = c1 * s234;
     const double z5_y = s1 * s234;
-    const double product11 = d4 * s1;
-    const double o5_x = c1 * sum1 + product11;
-    const double product12 = c1 * d4;
-    const double o5_y = s1 * sum1 - product12;
+    const double product10 = s1 * d4;
+    const double o5_x = c1 * sum1 + product10;
+    const double product11 = c1 * d4;
+    const double o5_y = s1 * sum1 - product11;
     const double z6_x = s1 * c5 - product4 * c1;
     const double z6_y = -c1 * c5 - product4 * s1;
-    const double z6_z = -product10;
-    const double o6_x = c1 * sum2 + product11;
-    const double o6_y = s1 * sum2 - product12;
-    const double o6_z = -sum8;
-    const double sum4 = o4_z - oE_z;
-    const double sum9 = d1 - oE_z;
-    const double sum10 = o3_z - oE_z;
-    const double sum11 = o5_y - oE_y;
-    const double sum12 = o6_z - oE_z;
-    const double sum13 = o6_y - oE_y;
-    const double sum14 = o5_x - oE_x;
-    const double sum15 = o6_x - oE_x;
+    const double z6_z = -product9;
+    const double o6_x = c1 * sum4 + product10;
+    const double o6_y = s1 * sum4 - product11;
+    const double o6_z = -sum15;
+    const double sum3 = oE_z - o4_z;
+    const double sum7 = d1 - oE_z;
+    const double sum8 = oE_z - o3_z;
+    const double sum9 = oE_y - o5_y;
+    const double sum10 = oE_z - o6_z;
+    const double sum11 = oE_y - o6_y;
+    const double sum12 = oE_x - o5_x;
+    const double sum13 = oE_x - o6_x;
 
     J[0] = -oE_y;
-    J[1] = c1 * sum9;
-    J[2] = c1 * sum10;
-    J[3] = c1 * sum4;
-    J[4] = -z5_y * sum4 - c234 * sum11;
-    J[5] = -z6_y * sum12 + z6_z * sum13;
+    J[1] = c1 * sum7;
+    J[2] = -c1 * sum8;
+    J[3] = -c1 * sum3;
+    J[4] = z5_y * sum3 + c234 * sum9;
+    J[5] = z6_y * sum10 - z6_z * sum11;
     J[6] = oE_x;
-    J[7] = s1 * sum9;
-    J[8] = s1 * sum10;
-    J[9] = s1 * sum4;
-    J[10] = c234 * sum14 + z5_x * sum4;
-    J[11] = -z6_z * sum15 + z6_x * sum12;
+    J[7] = s1 * sum7;
+    J[8] = -s1 * sum8;
+    J[9] = -s1 * sum3;
+    J[10] = -c234 * sum12 - z5_x * sum3;
+    J[11] = z6_z * sum13 - z6_x * sum10;
     J[12] = 0.0;
     J[13] = s1 * oE_y + c1 * oE_x;
     J[14] = s1 * (oE_y - o3_y) + c1 * (oE_x - o3_x);
     J[15] = s1 * (oE_y - o4_y) + c1 * (oE_x - o4_x);
-    J[16] = -z5_x * sum11 + z5_y * sum14;
-    J[17] = -z6_x * sum13 + z6_y * sum15;
+    J[16] = z5_x * sum9 - z5_y * sum12;
+    J[17] = z6_x * sum11 - z6_y * sum13;
     J[18] = 0.0;
     J[19] = s1;
     J[20] = s1;
@@ -315,7 +317,8 @@ void ur5_jacobian(const double q[UR5_JOINTS], const ur5_params *p, double J[6 * 
 #define NEAR 67108864.0
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2],
+    int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
@@ -335,8 +338,8 @@ static int solve_homogeneous(double a, double b, double t, double reference, dou
 
 /* The angles with a*cos + b*sin = e: two; one on the border, where they meet; one, free, if a, b, e vanish. Beyond
  * the border there is none, but just beyond it, or anywhere if loose, one in doubt. */
-static int solve_linear(double a, double b, double e, double t, double reference, int loose,
-                        double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_linear(double a, double b, double e, double t, double reference, int loose, double c[2],
+    double s[2], int mark[2])
 {
     const double rr = a * a + b * b;
     const double r = sqrt(rr);
@@ -371,8 +374,8 @@ static int solve_linear(double a, double b, double e, double t, double reference
 /* Two links l1, l2 that reach (x, y). The second link has the components k along the first link and w across
  * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. Out of reach
  * there is none, but just out of it, or anywhere if loose, one in doubt. */
-static int solve_triangle(double x, double y, double l1, double l2, double t, int loose,
-                          double *k, double w[2], double *along, int mark[2])
+KINSYM_FN static int solve_triangle(double x, double y, double l1, double l2, double t, int loose, double *k,
+    double w[2], double *along, int mark[2])
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -401,8 +404,8 @@ static int solve_triangle(double x, double y, double l1, double l2, double t, in
 }
 
 /* The angle that turns (along, across) into the direction of (x, y); free if (x, y) vanishes. */
-static int solve_direction(double x, double y, double along, double across, double t, double reference,
-                           double *c, double *s)
+KINSYM_FN static int solve_direction(double x, double y, double along, double across, double t, double reference,
+    double *c, double *s)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -421,7 +424,7 @@ static int solve_direction(double x, double y, double along, double across, doub
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -462,7 +465,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -478,7 +481,7 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether nothing vanishes that the equations take for granted. */
-static int regular(const ur5_params *p)
+KINSYM_FN static int regular(const ur5_params *p)
 {
     const double d1 = p->d1;
     const double a2 = p->a2;
@@ -491,14 +494,14 @@ static int regular(const ur5_params *p)
 }
 
 /* Whether every parameter has a finite value, and none one that this solver is not for. */
-static int usable(const ur5_params *p)
+KINSYM_FN static int usable(const ur5_params *p)
 {
     return isfinite(p->d1) && isfinite(p->a2) && isfinite(p->a3) && isfinite(p->d4) && isfinite(p->d5)
         && isfinite(p->d6) && regular(p);
 }
 
 /* Whether all joint values are numbers; lengths near the limits of double precision can overflow on the way. */
-static int all_finite(const double q[UR5_JOINTS])
+KINSYM_FN static int all_finite(const double q[UR5_JOINTS])
 {
     for (int i = 0; i < UR5_JOINTS; ++i) {
         if (!isfinite(q[i])) {
@@ -510,11 +513,11 @@ static int all_finite(const double q[UR5_JOINTS])
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 12
-static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+static KINSYM_DATA const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[UR5_JOINTS], const ur5_params *p, const double M[12], double size,
-    double e[ENTRIES])
+KINSYM_FN static double distance(const double q[UR5_JOINTS], const ur5_params *p, const double M[12],
+    double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
     ur5_fk(q, p, T);
@@ -527,7 +530,7 @@ static double distance(const double q[UR5_JOINTS], const ur5_params *p, const do
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[UR5_JOINTS], const ur5_params *p, double size,
+KINSYM_FN static void slopes(const double q[UR5_JOINTS], const ur5_params *p, double size,
     double D[ENTRIES][UR5_JOINTS])
 {
     double T[16], J[6 * UR5_JOINTS];
@@ -546,7 +549,8 @@ static void slopes(const double q[UR5_JOINTS], const ur5_params *p, double size,
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][UR5_JOINTS], const double e[ENTRIES], double damping, double g[UR5_JOINTS])
+KINSYM_FN static void step(double D[ENTRIES][UR5_JOINTS], const double e[ENTRIES], double damping,
+    double g[UR5_JOINTS])
 {
     double A[UR5_JOINTS + 1][ENTRIES + UR5_JOINTS];
     double R[UR5_JOINTS][UR5_JOINTS + 1];
@@ -578,7 +582,7 @@ static void step(double D[ENTRIES][UR5_JOINTS], const double e[ENTRIES], double 
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[UR5_JOINTS], const ur5_params *p, const double M[12], double size)
+KINSYM_FN static double polish(double q[UR5_JOINTS], const ur5_params *p, const double M[12], double size)
 {
     double e[ENTRIES], D[ENTRIES][UR5_JOINTS], g[UR5_JOINTS], trial[UR5_JOINTS];
     double left = distance(q, p, M, size, e), caution = 1.0;
@@ -607,7 +611,7 @@ static double polish(double q[UR5_JOINTS], const ur5_params *p, const double M[1
  * Where two borders cross the distance is stationary, and a second start lies beside it. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
-static int settle(double q[][UR5_JOINTS], ur5_mark marks[], double alike[], unsigned twin, int mark,
+KINSYM_FN static int settle(double q[][UR5_JOINTS], ur5_mark marks[], double alike[], unsigned twin, int mark,
     const ur5_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[UR5_JOINTS], other[UR5_JOINTS];
@@ -652,7 +656,7 @@ static int settle(double q[][UR5_JOINTS], ur5_mark marks[], double alike[], unsi
 
 /* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
  * alike tells, and puts the rest in the order of their branches; returns how many are left. */
-static int tidied(double q[][UR5_JOINTS], ur5_mark marks[], const double alike[], int count)
+KINSYM_FN static int tidied(double q[][UR5_JOINTS], ur5_mark marks[], const double alike[], int count)
 {
     int kept = 0;
     for (int i = 0; i < count; ++i) {
@@ -688,7 +692,7 @@ static int tidied(double q[][UR5_JOINTS], ur5_mark marks[], const double alike[]
 }
 
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
-static int settled(double q[][UR5_JOINTS], ur5_mark marks[], const int found[], int count,
+KINSYM_FN static int settled(double q[][UR5_JOINTS], ur5_mark marks[], const int found[], int count,
     const ur5_params *p, const double M[12], double tau, double size)
 {
     double given[UR5_MAX_SOLUTIONS][UR5_JOINTS];
@@ -723,7 +727,7 @@ static int settled(double q[][UR5_JOINTS], ur5_mark marks[], const int found[], 
     return tidied(q, marks, alike, kept);
 }
 
-int ur5_ik_marked(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
+KINSYM_FN int ur5_ik_marked(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
     double q[][UR5_JOINTS], ur5_mark marks[])
 {
     static const double zeros[UR5_JOINTS] = {0.0};
@@ -891,14 +895,14 @@ int ur5_ik_marked(const double T[16], const ur5_params *p, const double referenc
     return special ? settled(q, marks, found, count, p, M, tau, size) : count;
 }
 
-int ur5_ik_near(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
+KINSYM_FN int ur5_ik_near(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
     double q[][UR5_JOINTS])
 {
     ur5_mark marks[UR5_MAX_SOLUTIONS];
     return ur5_ik_marked(T, p, reference, q, marks);
 }
 
-int ur5_ik(const double T[16], const ur5_params *p, double q[][UR5_JOINTS])
+KINSYM_FN int ur5_ik(const double T[16], const ur5_params *p, double q[][UR5_JOINTS])
 {
     return ur5_ik_near(T, p, NULL, q);
 }
@@ -914,18 +918,19 @@ const char *const ur5_branches[UR5_MAX_SOLUTIONS] = {
     "shoulder right, wrist not flipped, elbow down",
 };
 
-const double ur5_lower[UR5_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-const double ur5_upper[UR5_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
+KINSYM_DATA const double ur5_lower[UR5_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+    -HUGE_VAL};
+KINSYM_DATA const double ur5_upper[UR5_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "RRRRRR";
+static KINSYM_DATA const char kinds[] = "RRRRRR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[UR5_JOINTS])
+KINSYM_FN static int are_numbers(const double x[UR5_JOINTS])
 {
     for (int i = 0; x != NULL && i < UR5_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -936,7 +941,7 @@ static int are_numbers(const double x[UR5_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[UR5_JOINTS], const double upper[UR5_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[UR5_JOINTS], const double upper[UR5_JOINTS])
 {
     for (int i = 0; i < UR5_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -947,7 +952,7 @@ static int all_intervals(const double lower[UR5_JOINTS], const double upper[UR5_
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -955,18 +960,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static ur5_status status_of(ur5_mark special)
+KINSYM_FN static ur5_status status_of(ur5_mark special)
 {
     return special.free | special.border ? UR5_SINGULAR : UR5_SOLVED;
 }
 
-ur5_status ur5_solve(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
+KINSYM_FN ur5_status ur5_solve(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
     ur5_solutions *out)
 {
     out->count = 0;
@@ -990,14 +995,14 @@ ur5_status ur5_solve(const double T[16], const ur5_params *p, const double refer
     return out->status;
 }
 
-unsigned ur5_family(unsigned free)
+KINSYM_FN unsigned ur5_family(unsigned free)
 {
     unsigned moving = free;
     moving |= (free & 14u) == 14u ? 46u : 0u;
     return moving;
 }
 
-int ur5_within(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
+KINSYM_FN int ur5_within(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
     const double lower[UR5_JOINTS], const double upper[UR5_JOINTS], int capacity, double q[][UR5_JOINTS],
     ur5_mark marks[])
 {
@@ -1042,7 +1047,7 @@ int ur5_within(const double T[16], const ur5_params *p, const double reference[U
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-ur5_status ur5_nearest(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
+KINSYM_FN ur5_status ur5_nearest(const double T[16], const ur5_params *p, const double reference[UR5_JOINTS],
     const double weights[UR5_JOINTS], const double lower[UR5_JOINTS], const double upper[UR5_JOINTS],
     double q[UR5_JOINTS])
 {
@@ -1104,7 +1109,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -1122,18 +1127,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const ur5_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const ur5_params *p, int path, lane_block *block)
 {
     const double d1 = p->d1;
     const double a2 = p->a2;
@@ -1197,7 +1202,7 @@ static void fk_block(const ur5_params *p, int path, lane_block *block)
     }
 }
 
-void ur5_fk_batch(const double q[], int n, const ur5_params *p, double T[])
+KINSYM_FN void ur5_fk_batch(const double q[], int n, const ur5_params *p, double T[])
 {
     if (p == NULL) {
         p = &ur5_defaults;
@@ -1231,13 +1236,13 @@ void ur5_fk_batch(const double q[], int n, const ur5_params *p, double T[])
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart. */
-static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
 {
     const double r = sqrt(a * a + b * b);
     const double per_r = 1.0 / r;
@@ -1250,7 +1255,8 @@ static inline double lane_homogeneous(double a, double b, double t, double c[2],
 }
 
 /* The two angles with a*cos + b*sin = e. */
-static inline double lane_linear(double a, double b, double e, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_linear(double a, double b, double e, double t, double c[2], double s[2],
+    double *marked)
 {
     const double rr = a * a + b * b;
     const double r = sqrt(rr);
@@ -1269,8 +1275,8 @@ static inline double lane_linear(double a, double b, double e, double t, double 
 
 /* Two links l1, l2 that reach (x, y): the second has the components k along the first and w across it; the first sees
  * the point at (along, w). */
-static inline double lane_triangle(double x, double y, double l1, double l2, double t,
-                                   double *k, double w[2], double *along, double *marked)
+KINSYM_FN static inline double lane_triangle(double x, double y, double l1, double l2, double t, double *k, double w[2],
+    double *along, double *marked)
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -1290,8 +1296,8 @@ static inline double lane_triangle(double x, double y, double l1, double l2, dou
 }
 
 /* The angle that turns (along, across) into the direction of (x, y). */
-static inline void lane_direction(double x, double y, double along, double across, double t, double *c, double *s,
-                                  double *marked)
+KINSYM_FN static inline void lane_direction(double x, double y, double along, double across, double t, double *c,
+    double *s, double *marked)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -1306,7 +1312,7 @@ static inline void lane_direction(double x, double y, double along, double acros
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -1347,7 +1353,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const ur5_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const ur5_params *p, lane_block *block)
 {
     const double d1 = p->d1;
     const double a2 = p->a2;
@@ -1480,7 +1486,7 @@ static void solve_block(const ur5_params *p, lane_block *block)
     }
 }
 
-int ur5_ik_batch(const double T[], int n, const ur5_params *p, const double reference[UR5_JOINTS],
+KINSYM_FN int ur5_ik_batch(const double T[], int n, const ur5_params *p, const double reference[UR5_JOINTS],
     double q[][UR5_JOINTS], int counts[])
 {
     if (p == NULL) {
@@ -1515,3 +1521,7 @@ int ur5_ik_batch(const double T[], int n, const ur5_params *p, const double refe
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

@@ -32,9 +32,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If VIPERX_300S_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes viperx_300s.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef VIPERX_300S_H
 #define VIPERX_300S_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -66,13 +85,13 @@ typedef struct viperx_300s_params {
 } viperx_300s_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const viperx_300s_params viperx_300s_defaults;
+extern KINSYM_DATA const viperx_300s_params viperx_300s_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void viperx_300s_fk(const double q[VIPERX_300S_JOINTS], const viperx_300s_params *p, double T[16]);
+KINSYM_FN void viperx_300s_fk(const double q[VIPERX_300S_JOINTS], const viperx_300s_params *p, double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void viperx_300s_jacobian(const double q[VIPERX_300S_JOINTS], const viperx_300s_params *p,
+KINSYM_FN void viperx_300s_jacobian(const double q[VIPERX_300S_JOINTS], const viperx_300s_params *p,
     double J[6 * VIPERX_300S_JOINTS]);
 
 /*
@@ -97,11 +116,11 @@ void viperx_300s_jacobian(const double q[VIPERX_300S_JOINTS], const viperx_300s_
  * or if one of these vanishes, which the equations take for granted: d4.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int viperx_300s_ik(const double T[16], const viperx_300s_params *p, double q[][VIPERX_300S_JOINTS]);
+KINSYM_FN int viperx_300s_ik(const double T[16], const viperx_300s_params *p, double q[][VIPERX_300S_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int viperx_300s_ik_near(const double T[16], const viperx_300s_params *p,
+KINSYM_FN int viperx_300s_ik_near(const double T[16], const viperx_300s_params *p,
     const double reference[VIPERX_300S_JOINTS], double q[][VIPERX_300S_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -113,7 +132,7 @@ typedef struct viperx_300s_mark {
 } viperx_300s_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int viperx_300s_ik_marked(const double T[16], const viperx_300s_params *p,
+KINSYM_FN int viperx_300s_ik_marked(const double T[16], const viperx_300s_params *p,
     const double reference[VIPERX_300S_JOINTS], double q[][VIPERX_300S_JOINTS], viperx_300s_mark marks[]);
 
 /* The names of the branches by their number:
@@ -133,7 +152,8 @@ int viperx_300s_ik_marked(const double T[16], const viperx_300s_params *p,
 extern const char *const viperx_300s_branches[VIPERX_300S_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double viperx_300s_lower[VIPERX_300S_JOINTS], viperx_300s_upper[VIPERX_300S_JOINTS];
+extern KINSYM_DATA const double viperx_300s_lower[VIPERX_300S_JOINTS];
+extern KINSYM_DATA const double viperx_300s_upper[VIPERX_300S_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct viperx_300s_solutions {
@@ -144,12 +164,12 @@ typedef struct viperx_300s_solutions {
 } viperx_300s_solutions;
 
 /* ik_marked with a status, which is returned as well; VIPERX_300S_BAD_REFERENCE if the reference is not finite. */
-viperx_300s_status viperx_300s_solve(const double T[16], const viperx_300s_params *p,
+KINSYM_FN viperx_300s_status viperx_300s_solve(const double T[16], const viperx_300s_params *p,
     const double reference[VIPERX_300S_JOINTS], viperx_300s_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned viperx_300s_family(unsigned free);
+KINSYM_FN unsigned viperx_300s_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -157,7 +177,7 @@ unsigned viperx_300s_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * VIPERX_300S_BAD_LIMIT if limits are no interval. */
-int viperx_300s_within(const double T[16], const viperx_300s_params *p,
+KINSYM_FN int viperx_300s_within(const double T[16], const viperx_300s_params *p,
     const double reference[VIPERX_300S_JOINTS], const double lower[VIPERX_300S_JOINTS],
     const double upper[VIPERX_300S_JOINTS], int capacity, double q[][VIPERX_300S_JOINTS],
     viperx_300s_mark marks[]);
@@ -166,7 +186,7 @@ int viperx_300s_within(const double T[16], const viperx_300s_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. VIPERX_300S_BAD_WEIGHT if a weight is negative or not finite. */
-viperx_300s_status viperx_300s_nearest(const double T[16], const viperx_300s_params *p,
+KINSYM_FN viperx_300s_status viperx_300s_nearest(const double T[16], const viperx_300s_params *p,
     const double reference[VIPERX_300S_JOINTS], const double weights[VIPERX_300S_JOINTS],
     const double lower[VIPERX_300S_JOINTS], const double upper[VIPERX_300S_JOINTS],
     double q[VIPERX_300S_JOINTS]);
@@ -174,7 +194,7 @@ viperx_300s_status viperx_300s_nearest(const double T[16], const viperx_300s_par
 /* Forward kinematics of n joint vectors: q has VIPERX_300S_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void viperx_300s_fk_batch(const double q[], int n, const viperx_300s_params *p, double T[]);
+KINSYM_FN void viperx_300s_fk_batch(const double q[], int n, const viperx_300s_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -187,7 +207,7 @@ void viperx_300s_fk_batch(const double q[], int n, const viperx_300s_params *p, 
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 60 kB of stack are used. */
-int viperx_300s_ik_batch(const double T[], int n, const viperx_300s_params *p,
+KINSYM_FN int viperx_300s_ik_batch(const double T[], int n, const viperx_300s_params *p,
     const double reference[VIPERX_300S_JOINTS], double q[][VIPERX_300S_JOINTS], int counts[]);
 
 #ifdef __cplusplus

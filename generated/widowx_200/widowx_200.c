@@ -24,15 +24,16 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
 double sqrt(double) __attribute__((const)); /* the library's own declaration lets it write errno */
 #endif
 
-const widowx_200_params widowx_200_defaults = {
+KINSYM_DATA const widowx_200_params widowx_200_defaults = {
     0.11065, /* d1 */
     0.05, /* b2 */
     0.2, /* a2 */
@@ -43,7 +44,7 @@ const widowx_200_params widowx_200_defaults = {
 #ifdef WIDOWX_200_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -55,7 +56,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -92,7 +93,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -100,21 +102,21 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The angle half a turn away, in (-pi, pi]; what is too small to be seen beside pi counts as 0. */
-static inline double half_turn(double angle)
+KINSYM_FN static inline double half_turn(double angle)
 {
     const double pi = 3.141592653589793;
     return angle + (angle > 2.220446049250313e-16 ? -pi : pi);
 }
 
 /* The opposite angle in (-pi, pi]. */
-static inline double opposite(double angle)
+KINSYM_FN static inline double opposite(double angle)
 {
     const double pi = 3.141592653589793;
     return angle < pi ? -angle : angle;
 }
 
 /* A sum of at most three angles of (-pi, pi], there again. */
-static inline double unwound(double angle)
+KINSYM_FN static inline double unwound(double angle)
 {
     const double pi = 3.141592653589793;
     const double turned = angle + (angle > pi ? -2.0 * pi : angle <= -pi ? 2.0 * pi : 0.0);
@@ -122,14 +124,14 @@ static inline double unwound(double angle)
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void widowx_200_fk(const double q[WIDOWX_200_JOINTS], const widowx_200_params *p, double T[16])
+KINSYM_FN void widowx_200_fk(const double q[WIDOWX_200_JOINTS], const widowx_200_params *p, double T[16])
 {
     if (p == NULL) {
         p = &widowx_200_defaults;
@@ -179,7 +181,7 @@ void widowx_200_fk(const double q[WIDOWX_200_JOINTS], const widowx_200_params *p
     T[15] = 1.0;
 }
 
-void widowx_200_jacobian(const double q[WIDOWX_200_JOINTS], const widowx_200_params *p,
+KINSYM_FN void widowx_200_jacobian(const double q[WIDOWX_200_JOINTS], const widowx_200_params *p,
     double J[6 * WIDOWX_200_JOINTS])
 {
     if (p == NULL) {
@@ -207,46 +209,46 @@ void widowx_200_jacobian(const double q[WIDOWX_200_JOINTS], const widowx_200_par
     const double product1 = b2 * c2;
     const double product2 = a2 * s2;
     const double sum1 = product1 + product2;
-    const double sum2 = product3 + sum1;
-    const double sum8 = product6 + sum2;
-    const double oE_x = c1 * sum8;
-    const double oE_y = s1 * sum8;
+    const double sum3 = product3 + sum1;
+    const double sum10 = product6 + sum3;
+    const double oE_x = c1 * sum10;
+    const double oE_y = s1 * sum10;
     const double product7 = a3 * s23;
-    const double product4 = a2 * c2;
+    const double product4 = c2 * a2;
     const double product5 = b2 * s2;
     const double sum4 = product4 - product5;
-    const double sum5 = d1 + sum4;
-    const double sum9 = product7 - sum5;
-    const double oE_z = -sum9 - d5 * s234;
+    const double sum7 = d1 + sum4;
+    const double sum11 = product7 - sum7;
+    const double oE_z = -sum11 - d5 * s234;
     const double o3_x = c1 * sum1;
     const double o3_y = s1 * sum1;
-    const double o3_z = sum5;
-    const double o4_x = c1 * sum2;
-    const double o4_y = s1 * sum2;
-    const double o4_z = -sum9;
+    const double o3_z = sum7;
+    const double o4_x = c1 * sum3;
+    const double o4_y = s1 * sum3;
+    const double o4_z = -sum11;
     const double z5_x = c1 * c234;
     const double z5_y = s1 * c234;
-    const double sum3 = o4_z - oE_z;
-    const double sum6 = o4_y - oE_y;
-    const double sum7 = o4_x - oE_x;
-    const double sum10 = d1 - oE_z;
-    const double sum11 = o3_z - oE_z;
+    const double sum2 = oE_z - o4_z;
+    const double sum5 = oE_y - o4_y;
+    const double sum6 = oE_x - o4_x;
+    const double sum8 = d1 - oE_z;
+    const double sum9 = oE_z - o3_z;
 
     J[0] = -oE_y;
-    J[1] = -c1 * sum10;
-    J[2] = -c1 * sum11;
-    J[3] = -c1 * sum3;
-    J[4] = -z5_y * sum3 - s234 * sum6;
+    J[1] = -c1 * sum8;
+    J[2] = c1 * sum9;
+    J[3] = c1 * sum2;
+    J[4] = z5_y * sum2 + s234 * sum5;
     J[5] = oE_x;
-    J[6] = -s1 * sum10;
-    J[7] = -s1 * sum11;
-    J[8] = -s1 * sum3;
-    J[9] = s234 * sum7 + z5_x * sum3;
+    J[6] = -s1 * sum8;
+    J[7] = s1 * sum9;
+    J[8] = s1 * sum2;
+    J[9] = -s234 * sum6 - z5_x * sum2;
     J[10] = 0.0;
     J[11] = -s1 * oE_y - c1 * oE_x;
     J[12] = -s1 * (oE_y - o3_y) - c1 * (oE_x - o3_x);
-    J[13] = s1 * sum6 + c1 * sum7;
-    J[14] = -z5_x * sum6 + z5_y * sum7;
+    J[13] = -s1 * sum5 - c1 * sum6;
+    J[14] = z5_x * sum5 - z5_y * sum6;
     J[15] = 0.0;
     J[16] = -s1;
     J[17] = -s1;
@@ -276,8 +278,8 @@ void widowx_200_jacobian(const double q[WIDOWX_200_JOINTS], const widowx_200_par
 
 /* The two angles with a*cos + b*sin = 0, by the pair (a, b) that is larger in its own tolerance; one, free, if
  * both pairs vanish. */
-static int solve_homogeneous2(double a, double b, double t, double a_alt, double b_alt, double t_alt,
-                              double reference, double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_homogeneous2(double a, double b, double t, double a_alt, double b_alt, double t_alt,
+    double reference, double c[2], double s[2], int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     const double r_alt = sqrt(a_alt * a_alt + b_alt * b_alt);
@@ -302,8 +304,8 @@ static int solve_homogeneous2(double a, double b, double t, double a_alt, double
 /* Two links l1, l2 that reach (x, y). The second link has the components k along the first link and w across
  * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. Out of reach
  * there is none, but just out of it, or anywhere if loose, one in doubt. */
-static int solve_triangle(double x, double y, double l1, double l2, double t, int loose,
-                          double *k, double w[2], double *along, int mark[2])
+KINSYM_FN static int solve_triangle(double x, double y, double l1, double l2, double t, int loose, double *k,
+    double w[2], double *along, int mark[2])
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -332,8 +334,8 @@ static int solve_triangle(double x, double y, double l1, double l2, double t, in
 }
 
 /* The angle that turns (along, across) into the direction of (x, y); free if (x, y) vanishes. */
-static int solve_direction(double x, double y, double along, double across, double t, double reference,
-                           double *c, double *s)
+KINSYM_FN static int solve_direction(double x, double y, double along, double across, double t, double reference,
+    double *c, double *s)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -352,7 +354,7 @@ static int solve_direction(double x, double y, double along, double across, doub
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -393,7 +395,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -409,7 +411,7 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether nothing vanishes that the equations take for granted. */
-static int regular(const widowx_200_params *p)
+KINSYM_FN static int regular(const widowx_200_params *p)
 {
     const double d1 = p->d1;
     const double b2 = p->b2;
@@ -421,15 +423,15 @@ static int regular(const widowx_200_params *p)
 }
 
 /* Whether every parameter has a finite value, and none one that this solver is not for. */
-static int usable(const widowx_200_params *p)
+KINSYM_FN static int usable(const widowx_200_params *p)
 {
     return isfinite(p->d1) && isfinite(p->b2) && isfinite(p->a2) && isfinite(p->a3) && isfinite(p->d5)
         && regular(p);
 }
 
 /* Whether the forward kinematics of q agrees with the pose M in the entries of the task. */
-static int reaches(const double q[WIDOWX_200_JOINTS], const widowx_200_params *p, const double M[12],
-    double tau, double size)
+KINSYM_FN static int reaches(const double q[WIDOWX_200_JOINTS], const widowx_200_params *p,
+    const double M[12], double tau, double size)
 {
     static const int rotation[] = {0, 4, 8, 1, 5, 9, 2, 6, 10};
     static const int position[] = {3, 7, 11};
@@ -452,11 +454,11 @@ static int reaches(const double q[WIDOWX_200_JOINTS], const widowx_200_params *p
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 12
-static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+static KINSYM_DATA const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[WIDOWX_200_JOINTS], const widowx_200_params *p, const double M[12],
-    double size, double e[ENTRIES])
+KINSYM_FN static double distance(const double q[WIDOWX_200_JOINTS], const widowx_200_params *p,
+    const double M[12], double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
     widowx_200_fk(q, p, T);
@@ -469,7 +471,7 @@ static double distance(const double q[WIDOWX_200_JOINTS], const widowx_200_param
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[WIDOWX_200_JOINTS], const widowx_200_params *p, double size,
+KINSYM_FN static void slopes(const double q[WIDOWX_200_JOINTS], const widowx_200_params *p, double size,
     double D[ENTRIES][WIDOWX_200_JOINTS])
 {
     double T[16], J[6 * WIDOWX_200_JOINTS];
@@ -488,7 +490,7 @@ static void slopes(const double q[WIDOWX_200_JOINTS], const widowx_200_params *p
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][WIDOWX_200_JOINTS], const double e[ENTRIES], double damping,
+KINSYM_FN static void step(double D[ENTRIES][WIDOWX_200_JOINTS], const double e[ENTRIES], double damping,
     double g[WIDOWX_200_JOINTS])
 {
     double A[WIDOWX_200_JOINTS + 1][ENTRIES + WIDOWX_200_JOINTS];
@@ -521,7 +523,8 @@ static void step(double D[ENTRIES][WIDOWX_200_JOINTS], const double e[ENTRIES], 
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[WIDOWX_200_JOINTS], const widowx_200_params *p, const double M[12], double size)
+KINSYM_FN static double polish(double q[WIDOWX_200_JOINTS], const widowx_200_params *p, const double M[12],
+    double size)
 {
     double e[ENTRIES], D[ENTRIES][WIDOWX_200_JOINTS], g[WIDOWX_200_JOINTS], trial[WIDOWX_200_JOINTS];
     double left = distance(q, p, M, size, e), caution = 1.0;
@@ -550,8 +553,8 @@ static double polish(double q[WIDOWX_200_JOINTS], const widowx_200_params *p, co
  * Where two borders cross the distance is stationary, and a second start lies beside it. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
-static int settle(double q[][WIDOWX_200_JOINTS], widowx_200_mark marks[], double alike[], unsigned twin,
-    int mark, const widowx_200_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settle(double q[][WIDOWX_200_JOINTS], widowx_200_mark marks[], double alike[],
+    unsigned twin, int mark, const widowx_200_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[WIDOWX_200_JOINTS], other[WIDOWX_200_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -595,7 +598,8 @@ static int settle(double q[][WIDOWX_200_JOINTS], widowx_200_mark marks[], double
 
 /* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
  * alike tells, and puts the rest in the order of their branches; returns how many are left. */
-static int tidied(double q[][WIDOWX_200_JOINTS], widowx_200_mark marks[], const double alike[], int count)
+KINSYM_FN static int tidied(double q[][WIDOWX_200_JOINTS], widowx_200_mark marks[], const double alike[],
+    int count)
 {
     int kept = 0;
     for (int i = 0; i < count; ++i) {
@@ -631,8 +635,8 @@ static int tidied(double q[][WIDOWX_200_JOINTS], widowx_200_mark marks[], const 
 }
 
 /* The solutions of a pose that reach it, marked ones settled; returns how many there are. */
-static int settled(double q[][WIDOWX_200_JOINTS], widowx_200_mark marks[], const int found[], int count,
-    const widowx_200_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settled(double q[][WIDOWX_200_JOINTS], widowx_200_mark marks[], const int found[],
+    int count, const widowx_200_params *p, const double M[12], double tau, double size)
 {
     double given[WIDOWX_200_MAX_SOLUTIONS][WIDOWX_200_JOINTS];
     unsigned branches[WIDOWX_200_MAX_SOLUTIONS];
@@ -663,7 +667,7 @@ static int settled(double q[][WIDOWX_200_JOINTS], widowx_200_mark marks[], const
     return tidied(q, marks, alike, kept);
 }
 
-int widowx_200_ik_marked(const double T[16], const widowx_200_params *p,
+KINSYM_FN int widowx_200_ik_marked(const double T[16], const widowx_200_params *p,
     const double reference[WIDOWX_200_JOINTS], double q[][WIDOWX_200_JOINTS], widowx_200_mark marks[])
 {
     static const double zeros[WIDOWX_200_JOINTS] = {0.0};
@@ -805,14 +809,14 @@ int widowx_200_ik_marked(const double T[16], const widowx_200_params *p,
     return settled(q, marks, found, count, p, M, tau, size);
 }
 
-int widowx_200_ik_near(const double T[16], const widowx_200_params *p,
+KINSYM_FN int widowx_200_ik_near(const double T[16], const widowx_200_params *p,
     const double reference[WIDOWX_200_JOINTS], double q[][WIDOWX_200_JOINTS])
 {
     widowx_200_mark marks[WIDOWX_200_MAX_SOLUTIONS];
     return widowx_200_ik_marked(T, p, reference, q, marks);
 }
 
-int widowx_200_ik(const double T[16], const widowx_200_params *p, double q[][WIDOWX_200_JOINTS])
+KINSYM_FN int widowx_200_ik(const double T[16], const widowx_200_params *p, double q[][WIDOWX_200_JOINTS])
 {
     return widowx_200_ik_near(T, p, NULL, q);
 }
@@ -824,18 +828,20 @@ const char *const widowx_200_branches[WIDOWX_200_MAX_SOLUTIONS] = {
     "theta1 -, theta3 -",
 };
 
-const double widowx_200_lower[WIDOWX_200_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-const double widowx_200_upper[WIDOWX_200_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
+KINSYM_DATA const double widowx_200_lower[WIDOWX_200_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+    -HUGE_VAL};
+KINSYM_DATA const double widowx_200_upper[WIDOWX_200_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
+    HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "RRRRR";
+static KINSYM_DATA const char kinds[] = "RRRRR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[WIDOWX_200_JOINTS])
+KINSYM_FN static int are_numbers(const double x[WIDOWX_200_JOINTS])
 {
     for (int i = 0; x != NULL && i < WIDOWX_200_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -846,7 +852,7 @@ static int are_numbers(const double x[WIDOWX_200_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[WIDOWX_200_JOINTS], const double upper[WIDOWX_200_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[WIDOWX_200_JOINTS], const double upper[WIDOWX_200_JOINTS])
 {
     for (int i = 0; i < WIDOWX_200_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -857,7 +863,7 @@ static int all_intervals(const double lower[WIDOWX_200_JOINTS], const double upp
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -865,18 +871,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static widowx_200_status status_of(widowx_200_mark special)
+KINSYM_FN static widowx_200_status status_of(widowx_200_mark special)
 {
     return special.free | special.border ? WIDOWX_200_SINGULAR : WIDOWX_200_SOLVED;
 }
 
-widowx_200_status widowx_200_solve(const double T[16], const widowx_200_params *p,
+KINSYM_FN widowx_200_status widowx_200_solve(const double T[16], const widowx_200_params *p,
     const double reference[WIDOWX_200_JOINTS], widowx_200_solutions *out)
 {
     out->count = 0;
@@ -900,14 +906,14 @@ widowx_200_status widowx_200_solve(const double T[16], const widowx_200_params *
     return out->status;
 }
 
-unsigned widowx_200_family(unsigned free)
+KINSYM_FN unsigned widowx_200_family(unsigned free)
 {
     unsigned moving = free;
     moving |= (free & 1u) == 1u ? 17u : 0u;
     return moving;
 }
 
-int widowx_200_within(const double T[16], const widowx_200_params *p,
+KINSYM_FN int widowx_200_within(const double T[16], const widowx_200_params *p,
     const double reference[WIDOWX_200_JOINTS], const double lower[WIDOWX_200_JOINTS],
     const double upper[WIDOWX_200_JOINTS], int capacity, double q[][WIDOWX_200_JOINTS],
     widowx_200_mark marks[])
@@ -953,7 +959,7 @@ int widowx_200_within(const double T[16], const widowx_200_params *p,
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-widowx_200_status widowx_200_nearest(const double T[16], const widowx_200_params *p,
+KINSYM_FN widowx_200_status widowx_200_nearest(const double T[16], const widowx_200_params *p,
     const double reference[WIDOWX_200_JOINTS], const double weights[WIDOWX_200_JOINTS],
     const double lower[WIDOWX_200_JOINTS], const double upper[WIDOWX_200_JOINTS], double q[WIDOWX_200_JOINTS])
 {
@@ -1015,7 +1021,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -1033,18 +1039,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const widowx_200_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const widowx_200_params *p, int path, lane_block *block)
 {
     const double d1 = p->d1;
     const double b2 = p->b2;
@@ -1095,7 +1101,7 @@ static void fk_block(const widowx_200_params *p, int path, lane_block *block)
     }
 }
 
-void widowx_200_fk_batch(const double q[], int n, const widowx_200_params *p, double T[])
+KINSYM_FN void widowx_200_fk_batch(const double q[], int n, const widowx_200_params *p, double T[])
 {
     if (p == NULL) {
         p = &widowx_200_defaults;
@@ -1129,14 +1135,14 @@ void widowx_200_fk_batch(const double q[], int n, const widowx_200_params *p, do
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* The two angles with a*cos + b*sin = 0, by the pair (a, b) that is larger in its own tolerance. */
-static inline double lane_homogeneous2(double a, double b, double t, double a_alt, double b_alt, double t_alt,
-                                       double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_homogeneous2(double a, double b, double t, double a_alt, double b_alt, double t_alt,
+    double c[2], double s[2], double *marked)
 {
     const double r = sqrt(a * a + b * b);
     const double r_alt = sqrt(a_alt * a_alt + b_alt * b_alt);
@@ -1153,8 +1159,8 @@ static inline double lane_homogeneous2(double a, double b, double t, double a_al
 
 /* Two links l1, l2 that reach (x, y): the second has the components k along the first and w across it; the first sees
  * the point at (along, w). */
-static inline double lane_triangle(double x, double y, double l1, double l2, double t,
-                                   double *k, double w[2], double *along, double *marked)
+KINSYM_FN static inline double lane_triangle(double x, double y, double l1, double l2, double t, double *k, double w[2],
+    double *along, double *marked)
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -1174,8 +1180,8 @@ static inline double lane_triangle(double x, double y, double l1, double l2, dou
 }
 
 /* The angle that turns (along, across) into the direction of (x, y). */
-static inline void lane_direction(double x, double y, double along, double across, double t, double *c, double *s,
-                                  double *marked)
+KINSYM_FN static inline void lane_direction(double x, double y, double along, double across, double t, double *c,
+    double *s, double *marked)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -1190,7 +1196,7 @@ static inline void lane_direction(double x, double y, double along, double acros
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -1231,7 +1237,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const widowx_200_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const widowx_200_params *p, lane_block *block)
 {
     const double d1 = p->d1;
     const double b2 = p->b2;
@@ -1337,7 +1343,7 @@ static void solve_block(const widowx_200_params *p, lane_block *block)
 
 /* Keeps the solutions of one path whose forward kinematics agree with the pose in the entries of the task. What is at
  * the edge of the tolerance is marked. */
-static void reach_block(const widowx_200_params *p, int path, lane_block *block)
+KINSYM_FN static void reach_block(const widowx_200_params *p, int path, lane_block *block)
 {
     const double d1 = p->d1;
     const double b2 = p->b2;
@@ -1369,7 +1375,7 @@ static void reach_block(const widowx_200_params *p, int path, lane_block *block)
     }
 }
 
-int widowx_200_ik_batch(const double T[], int n, const widowx_200_params *p,
+KINSYM_FN int widowx_200_ik_batch(const double T[], int n, const widowx_200_params *p,
     const double reference[WIDOWX_200_JOINTS], double q[][WIDOWX_200_JOINTS], int counts[])
 {
     if (p == NULL) {
@@ -1408,3 +1414,7 @@ int widowx_200_ik_batch(const double T[], int n, const widowx_200_params *p,
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

@@ -25,15 +25,16 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
 /* Nothing here reads errno or the flags of exceptions, without which gcc takes several numbers at a time. */
+#pragma GCC push_options
 #pragma GCC optimize("no-math-errno", "no-trapping-math")
 #endif
 #if defined(__GNUC__) && !defined(__cplusplus)
 double sqrt(double) __attribute__((const)); /* the library's own declaration lets it write errno */
 #endif
 
-const yaskawa_gp7_params yaskawa_gp7_defaults = {
+KINSYM_DATA const yaskawa_gp7_params yaskawa_gp7_defaults = {
     0.04, /* a1 */
     0.33, /* d1 */
     0.445, /* a2 */
@@ -45,7 +46,7 @@ const yaskawa_gp7_params yaskawa_gp7_defaults = {
 #ifdef YASKAWA_GP7_LIBM_ATAN2
 /* The angle of a sine and a cosine in (-pi, pi], 0 for (0, 0): a zero has no sign, and what atan2 rounds to -pi is the
  * number above that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double above_minus_pi = -3.1415926535897927;
     const double angle = atan2(s + 0.0, c + 0.0);
@@ -57,7 +58,7 @@ static inline double angle_of(double s, double c)
  * symmetry and by tan(x - pi/4) = (tan x - 1)/(tan x + 1). What is left is the angle of a tangent r, |r| <= tan(pi/8):
  * r + r^3 P(r^2), where P is the polynomial of degree ten with the least relative error, 1.3e-18. What is larger than
  * 8e307 counts as that. */
-static inline double angle_of(double s, double c)
+KINSYM_FN static inline double angle_of(double s, double c)
 {
     const double least = 2.2250738585072014e-308, largest = 8e307, above_minus_pi = -3.1415926535897927;
     const double x = fabs(c) > largest ? largest : fabs(c), y = fabs(s) > largest ? largest : fabs(s);
@@ -94,7 +95,8 @@ static inline double angle_of(double s, double c)
 #endif
 
 /* The same for n angles. */
-static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle, int n)
+KINSYM_FN static inline void angles_of(const double *restrict s, const double *restrict c, double *restrict angle,
+    int n)
 {
     for (int i = 0; i < n; ++i) {
         angle[i] = angle_of(s[i], c[i]);
@@ -102,28 +104,28 @@ static inline void angles_of(const double *restrict s, const double *restrict c,
 }
 
 /* The angle half a turn away, in (-pi, pi]; what is too small to be seen beside pi counts as 0. */
-static inline double half_turn(double angle)
+KINSYM_FN static inline double half_turn(double angle)
 {
     const double pi = 3.141592653589793;
     return angle + (angle > 2.220446049250313e-16 ? -pi : pi);
 }
 
 /* The opposite angle in (-pi, pi]. */
-static inline double opposite(double angle)
+KINSYM_FN static inline double opposite(double angle)
 {
     const double pi = 3.141592653589793;
     return angle < pi ? -angle : angle;
 }
 
 /* The same angle in (-pi, pi]. */
-static double wrap(double angle)
+KINSYM_FN static double wrap(double angle)
 {
     const double pi = 3.141592653589793;
     const double wrapped = angle - 2.0 * pi * ceil((angle - pi) / (2.0 * pi));
     return fabs(wrapped) >= pi ? pi : wrapped; /* rounding can touch the ends */
 }
 
-void yaskawa_gp7_fk(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_params *p, double T[16])
+KINSYM_FN void yaskawa_gp7_fk(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_params *p, double T[16])
 {
     if (p == NULL) {
         p = &yaskawa_gp7_defaults;
@@ -173,10 +175,10 @@ void yaskawa_gp7_fk(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_params
     const double v16_y = s2m3 * v46_x - c2m3 * v36_y;
     const double w16_x = c2m3 * c5 + s2m3 * w36_y;
     const double w16_y = s2m3 * c5 - c2m3 * w36_y;
-    const double sum1 = a3 + p36_y;
+    const double sum1 = p36_y + a3;
     const double p16_x = a2 * s2 + s2m3 * sum1 - c2m3 * p36_z;
     const double p16_y = -a2 * c2 - c2m3 * sum1 - s2m3 * p36_z;
-    const double sum2 = a1 + p16_x;
+    const double sum2 = p16_x + a1;
 
     T[0] = c1 * u16_x + s1 * u36_x;
     T[1] = c1 * v16_x + s1 * v36_x;
@@ -196,7 +198,7 @@ void yaskawa_gp7_fk(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_params
     T[15] = 1.0;
 }
 
-void yaskawa_gp7_jacobian(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_params *p,
+KINSYM_FN void yaskawa_gp7_jacobian(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_params *p,
     double J[6 * YASKAWA_GP7_JOINTS])
 {
     if (p == NULL) {
@@ -223,21 +225,21 @@ void yaskawa_gp7_jacobian(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_
     const double s4 = sin(theta4);
     const double c5 = cos(theta5);
     const double s5 = sin(theta5);
+    const double product1 = a2 * s2;
+    const double sum1 = product1 + a1;
+    const double product6 = c5 * d6;
+    const double sum7 = product6 + d4;
     const double product2 = c4 * s5;
     const double product7 = d6 * product2;
-    const double sum8 = a3 + product7;
-    const double product6 = c5 * d6;
-    const double sum7 = d4 + product6;
-    const double product1 = a2 * s2;
-    const double sum1 = a1 + product1;
-    const double sum9 = c2m3 * sum7 + sum1;
-    const double sum10 = s2m3 * sum8 + sum9;
-    const double product3 = s4 * s5;
-    const double product8 = d6 * product3;
-    const double oE_x = c1 * sum10 - product8 * s1;
-    const double oE_y = product8 * c1 + s1 * sum10;
+    const double sum8 = product7 + a3;
+    const double sum9 = c2m3 * sum7 + s2m3 * sum8;
+    const double sum18 = sum1 + sum9;
+    const double product3 = s5 * s4;
+    const double product13 = d6 * product3;
+    const double oE_x = c1 * sum18 - product13 * s1;
+    const double oE_y = product13 * c1 + s1 * sum18;
     const double product4 = a2 * c2;
-    const double sum2 = d1 + product4;
+    const double sum2 = product4 + d1;
     const double oE_z = sum2 + c2m3 * sum8 - s2m3 * sum7;
     const double o2_x = a1 * c1;
     const double o2_y = a1 * s1;
@@ -246,55 +248,55 @@ void yaskawa_gp7_jacobian(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_
     const double o3_z = sum2;
     const double z4_x = -c1 * c2m3;
     const double z4_y = -s1 * c2m3;
-    const double product5 = a3 * s2m3;
-    const double sum3 = product5 + sum1;
-    const double o4_x = c1 * sum3;
-    const double o4_y = s1 * sum3;
-    const double product9 = a3 * c2m3;
-    const double sum11 = product9 + sum2;
-    const double o4_z = sum11;
-    const double product10 = s2m3 * s4;
-    const double z5_x = product10 * c1 + s1 * c4;
-    const double z5_y = product10 * s1 - c1 * c4;
+    const double product5 = s2m3 * a3;
+    const double sum6 = product5 + sum1;
+    const double o4_x = c1 * sum6;
+    const double o4_y = s1 * sum6;
+    const double product8 = c2m3 * a3;
+    const double sum16 = product8 + sum2;
+    const double o4_z = sum16;
+    const double product9 = s2m3 * s4;
+    const double z5_x = product9 * c1 + s1 * c4;
+    const double z5_y = product9 * s1 - c1 * c4;
     const double z5_z = c2m3 * s4;
-    const double product11 = c2m3 * d4;
-    const double sum12 = product11 + sum3;
-    const double o5_x = c1 * sum12;
-    const double o5_y = s1 * sum12;
-    const double o5_z = sum11 - d4 * s2m3;
-    const double product12 = c2m3 * c5;
-    const double product13 = product2 * s2m3;
-    const double sum13 = product12 + product13;
-    const double z6_x = product3 * s1 - c1 * sum13;
-    const double z6_y = -product3 * c1 - s1 * sum13;
+    const double product10 = c2m3 * d4;
+    const double sum17 = product10 + sum6;
+    const double o5_x = c1 * sum17;
+    const double o5_y = s1 * sum17;
+    const double o5_z = sum16 - d4 * s2m3;
+    const double product11 = c5 * c2m3;
+    const double product12 = s2m3 * product2;
+    const double sum10 = product11 + product12;
+    const double z6_x = product3 * s1 - c1 * sum10;
+    const double z6_y = -product3 * c1 - s1 * sum10;
     const double z6_z = s2m3 * c5 - product2 * c2m3;
-    const double sum4 = o5_z - oE_z;
-    const double sum5 = o5_y - oE_y;
-    const double sum6 = o5_x - oE_x;
-    const double sum14 = d1 - oE_z;
-    const double sum15 = o3_z - oE_z;
-    const double sum16 = o4_z - oE_z;
-    const double sum17 = o4_y - oE_y;
-    const double sum18 = o4_x - oE_x;
+    const double sum3 = oE_z - o5_z;
+    const double sum4 = oE_y - o5_y;
+    const double sum5 = oE_x - o5_x;
+    const double sum11 = d1 - oE_z;
+    const double sum12 = oE_z - o3_z;
+    const double sum13 = oE_z - o4_z;
+    const double sum14 = oE_y - o4_y;
+    const double sum15 = oE_x - o4_x;
 
     J[0] = -oE_y;
-    J[1] = -c1 * sum14;
-    J[2] = c1 * sum15;
-    J[3] = -z4_y * sum16 + s2m3 * sum17;
-    J[4] = -z5_y * sum4 + z5_z * sum5;
-    J[5] = -z6_y * sum4 + z6_z * sum5;
+    J[1] = -c1 * sum11;
+    J[2] = -c1 * sum12;
+    J[3] = z4_y * sum13 - s2m3 * sum14;
+    J[4] = z5_y * sum3 - z5_z * sum4;
+    J[5] = z6_y * sum3 - z6_z * sum4;
     J[6] = oE_x;
-    J[7] = -s1 * sum14;
-    J[8] = s1 * sum15;
-    J[9] = -s2m3 * sum18 + z4_x * sum16;
-    J[10] = -z5_z * sum6 + z5_x * sum4;
-    J[11] = -z6_z * sum6 + z6_x * sum4;
+    J[7] = -s1 * sum11;
+    J[8] = -s1 * sum12;
+    J[9] = s2m3 * sum15 - z4_x * sum13;
+    J[10] = z5_z * sum5 - z5_x * sum3;
+    J[11] = z6_z * sum5 - z6_x * sum3;
     J[12] = 0.0;
     J[13] = -s1 * (oE_y - o2_y) - c1 * (oE_x - o2_x);
     J[14] = s1 * (oE_y - o3_y) + c1 * (oE_x - o3_x);
-    J[15] = -z4_x * sum17 + z4_y * sum18;
-    J[16] = -z5_x * sum5 + z5_y * sum6;
-    J[17] = -z6_x * sum5 + z6_y * sum6;
+    J[15] = z4_x * sum14 - z4_y * sum15;
+    J[16] = z5_x * sum4 - z5_y * sum5;
+    J[17] = z6_x * sum4 - z6_y * sum5;
     J[18] = 0.0;
     J[19] = -s1;
     J[20] = s1;
@@ -326,7 +328,8 @@ void yaskawa_gp7_jacobian(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_
 #define NEAR 67108864.0
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart; one, free, if a and b vanish. */
-static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2], int mark[2])
+KINSYM_FN static int solve_homogeneous(double a, double b, double t, double reference, double c[2], double s[2],
+    int mark[2])
 {
     const double r = sqrt(a * a + b * b);
     if (r <= t) {
@@ -347,8 +350,8 @@ static int solve_homogeneous(double a, double b, double t, double reference, dou
 /* Two links l1, l2 that reach (x, y). The second link has the components k along the first link and w across
  * it; the first link sees the point at (along, w). Two roots; one, with w = 0, if stretched or folded. Out of reach
  * there is none, but just out of it, or anywhere if loose, one in doubt. */
-static int solve_triangle(double x, double y, double l1, double l2, double t, int loose,
-                          double *k, double w[2], double *along, int mark[2])
+KINSYM_FN static int solve_triangle(double x, double y, double l1, double l2, double t, int loose, double *k,
+    double w[2], double *along, int mark[2])
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -377,8 +380,8 @@ static int solve_triangle(double x, double y, double l1, double l2, double t, in
 }
 
 /* The angle that turns (along, across) into the direction of (x, y); free if (x, y) vanishes. */
-static int solve_direction(double x, double y, double along, double across, double t, double reference,
-                           double *c, double *s)
+KINSYM_FN static int solve_direction(double x, double y, double along, double across, double t, double reference,
+    double *c, double *s)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -397,7 +400,7 @@ static int solve_direction(double x, double y, double along, double across, doub
 
 /* Copies the upper three rows of a pose to M, its rotation made orthogonal. Returns by how much the rotation was
  * off, or -1 if T is no pose. Written so that NaN fails. */
-static double mended_pose(const double T[16], double M[12])
+KINSYM_FN static double mended_pose(const double T[16], double M[12])
 {
     if (!(fabs(T[12]) <= 1e-9 && fabs(T[13]) <= 1e-9 && fabs(T[14]) <= 1e-9 && fabs(T[15] - 1.0) <= 1e-9)) {
         return -1.0;
@@ -438,7 +441,7 @@ static double mended_pose(const double T[16], double M[12])
 }
 
 /* The same; a pose whose rotation is off by no more than rounding, which is almost every one, is only looked at. */
-static double read_pose(const double T[16], double M[12])
+KINSYM_FN static double read_pose(const double T[16], double M[12])
 {
     const double ux = T[0], uy = T[4], uz = T[8], vx = T[1], vy = T[5], vz = T[9], wx = T[2], wy = T[6], wz = T[10];
     const double rounding = 1e-14;
@@ -454,7 +457,7 @@ static double read_pose(const double T[16], double M[12])
 }
 
 /* Whether nothing vanishes that the equations take for granted. */
-static int regular(const yaskawa_gp7_params *p)
+KINSYM_FN static int regular(const yaskawa_gp7_params *p)
 {
     const double a1 = p->a1;
     const double d1 = p->d1;
@@ -467,14 +470,14 @@ static int regular(const yaskawa_gp7_params *p)
 }
 
 /* Whether every parameter has a finite value, and none one that this solver is not for. */
-static int usable(const yaskawa_gp7_params *p)
+KINSYM_FN static int usable(const yaskawa_gp7_params *p)
 {
     return isfinite(p->a1) && isfinite(p->d1) && isfinite(p->a2) && isfinite(p->a3) && isfinite(p->d4)
         && isfinite(p->d6) && regular(p);
 }
 
 /* Whether all joint values are numbers; lengths near the limits of double precision can overflow on the way. */
-static int all_finite(const double q[YASKAWA_GP7_JOINTS])
+KINSYM_FN static int all_finite(const double q[YASKAWA_GP7_JOINTS])
 {
     for (int i = 0; i < YASKAWA_GP7_JOINTS; ++i) {
         if (!isfinite(q[i])) {
@@ -486,11 +489,11 @@ static int all_finite(const double q[YASKAWA_GP7_JOINTS])
 
 /* The entries of the pose that the task asks for, by their place in a matrix. */
 #define ENTRIES 12
-static const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
+static KINSYM_DATA const int entry_of[ENTRIES] = {0, 4, 8, 1, 5, 9, 2, 6, 10, 3, 7, 11};
 
 /* The forward kinematics of q less the pose M in these entries, lengths over the size: e; returns its norm. */
-static double distance(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_params *p, const double M[12],
-    double size, double e[ENTRIES])
+KINSYM_FN static double distance(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_params *p,
+    const double M[12], double size, double e[ENTRIES])
 {
     double T[16], sum = 0.0;
     yaskawa_gp7_fk(q, p, T);
@@ -503,7 +506,7 @@ static double distance(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_par
 
 /* The derivative D of these differences by the joints, lengths over the size: a column of the rotation turns with the
  * angular velocity. */
-static void slopes(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_params *p, double size,
+KINSYM_FN static void slopes(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_params *p, double size,
     double D[ENTRIES][YASKAWA_GP7_JOINTS])
 {
     double T[16], J[6 * YASKAWA_GP7_JOINTS];
@@ -522,7 +525,7 @@ static void slopes(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_params 
 
 /* The step g that takes the differences e away: the least squares of D g = e and damping g = 0, by making the columns
  * orthogonal to each other (modified Gram and Schmidt, the right side last). */
-static void step(double D[ENTRIES][YASKAWA_GP7_JOINTS], const double e[ENTRIES], double damping,
+KINSYM_FN static void step(double D[ENTRIES][YASKAWA_GP7_JOINTS], const double e[ENTRIES], double damping,
     double g[YASKAWA_GP7_JOINTS])
 {
     double A[YASKAWA_GP7_JOINTS + 1][ENTRIES + YASKAWA_GP7_JOINTS];
@@ -555,7 +558,7 @@ static void step(double D[ENTRIES][YASKAWA_GP7_JOINTS], const double e[ENTRIES],
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. Returns the distance. */
-static double polish(double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_params *p, const double M[12],
+KINSYM_FN static double polish(double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_params *p, const double M[12],
     double size)
 {
     double e[ENTRIES], D[ENTRIES][YASKAWA_GP7_JOINTS], g[YASKAWA_GP7_JOINTS], trial[YASKAWA_GP7_JOINTS];
@@ -585,8 +588,8 @@ static double polish(double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_params *p, 
  * Where two borders cross the distance is stationary, and a second start lies beside it. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
-static int settle(double q[][YASKAWA_GP7_JOINTS], yaskawa_gp7_mark marks[], double alike[], unsigned twin,
-    int mark, const yaskawa_gp7_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settle(double q[][YASKAWA_GP7_JOINTS], yaskawa_gp7_mark marks[], double alike[],
+    unsigned twin, int mark, const yaskawa_gp7_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[YASKAWA_GP7_JOINTS], other[YASKAWA_GP7_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -630,7 +633,8 @@ static int settle(double q[][YASKAWA_GP7_JOINTS], yaskawa_gp7_mark marks[], doub
 
 /* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
  * alike tells, and puts the rest in the order of their branches; returns how many are left. */
-static int tidied(double q[][YASKAWA_GP7_JOINTS], yaskawa_gp7_mark marks[], const double alike[], int count)
+KINSYM_FN static int tidied(double q[][YASKAWA_GP7_JOINTS], yaskawa_gp7_mark marks[], const double alike[],
+    int count)
 {
     int kept = 0;
     for (int i = 0; i < count; ++i) {
@@ -666,8 +670,8 @@ static int tidied(double q[][YASKAWA_GP7_JOINTS], yaskawa_gp7_mark marks[], cons
 }
 
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
-static int settled(double q[][YASKAWA_GP7_JOINTS], yaskawa_gp7_mark marks[], const int found[], int count,
-    const yaskawa_gp7_params *p, const double M[12], double tau, double size)
+KINSYM_FN static int settled(double q[][YASKAWA_GP7_JOINTS], yaskawa_gp7_mark marks[], const int found[],
+    int count, const yaskawa_gp7_params *p, const double M[12], double tau, double size)
 {
     double given[YASKAWA_GP7_MAX_SOLUTIONS][YASKAWA_GP7_JOINTS];
     unsigned branches[YASKAWA_GP7_MAX_SOLUTIONS];
@@ -700,7 +704,7 @@ static int settled(double q[][YASKAWA_GP7_JOINTS], yaskawa_gp7_mark marks[], con
     return tidied(q, marks, alike, kept);
 }
 
-int yaskawa_gp7_ik_marked(const double T[16], const yaskawa_gp7_params *p,
+KINSYM_FN int yaskawa_gp7_ik_marked(const double T[16], const yaskawa_gp7_params *p,
     const double reference[YASKAWA_GP7_JOINTS], double q[][YASKAWA_GP7_JOINTS], yaskawa_gp7_mark marks[])
 {
     static const double zeros[YASKAWA_GP7_JOINTS] = {0.0};
@@ -878,14 +882,14 @@ int yaskawa_gp7_ik_marked(const double T[16], const yaskawa_gp7_params *p,
     return special ? settled(q, marks, found, count, p, M, tau, size) : count;
 }
 
-int yaskawa_gp7_ik_near(const double T[16], const yaskawa_gp7_params *p,
+KINSYM_FN int yaskawa_gp7_ik_near(const double T[16], const yaskawa_gp7_params *p,
     const double reference[YASKAWA_GP7_JOINTS], double q[][YASKAWA_GP7_JOINTS])
 {
     yaskawa_gp7_mark marks[YASKAWA_GP7_MAX_SOLUTIONS];
     return yaskawa_gp7_ik_marked(T, p, reference, q, marks);
 }
 
-int yaskawa_gp7_ik(const double T[16], const yaskawa_gp7_params *p, double q[][YASKAWA_GP7_JOINTS])
+KINSYM_FN int yaskawa_gp7_ik(const double T[16], const yaskawa_gp7_params *p, double q[][YASKAWA_GP7_JOINTS])
 {
     return yaskawa_gp7_ik_near(T, p, NULL, q);
 }
@@ -901,20 +905,20 @@ const char *const yaskawa_gp7_branches[YASKAWA_GP7_MAX_SOLUTIONS] = {
     "shoulder right, elbow down, wrist not flipped",
 };
 
-const double yaskawa_gp7_lower[YASKAWA_GP7_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
-    -HUGE_VAL};
-const double yaskawa_gp7_upper[YASKAWA_GP7_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
-    HUGE_VAL};
+KINSYM_DATA const double yaskawa_gp7_lower[YASKAWA_GP7_JOINTS] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL,
+    -HUGE_VAL, -HUGE_VAL};
+KINSYM_DATA const double yaskawa_gp7_upper[YASKAWA_GP7_JOINTS] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL,
+    HUGE_VAL, HUGE_VAL};
 
 /* A letter for each joint: R is wound by whole turns, P slides. */
-static const char kinds[] = "RRRRRR";
+static KINSYM_DATA const char kinds[] = "RRRRRR";
 
 /* A turn, and the share of a limit, or of 1, within which a joint value is on it. */
 #define TURN 6.283185307179586
 #define SLACK 1e-12
 
 /* Whether these are numbers; NULL counts as such. */
-static int are_numbers(const double x[YASKAWA_GP7_JOINTS])
+KINSYM_FN static int are_numbers(const double x[YASKAWA_GP7_JOINTS])
 {
     for (int i = 0; x != NULL && i < YASKAWA_GP7_JOINTS; ++i) {
         if (!isfinite(x[i])) {
@@ -925,7 +929,7 @@ static int are_numbers(const double x[YASKAWA_GP7_JOINTS])
 }
 
 /* Whether the limits of every joint are an interval. Written so that NaN fails. */
-static int all_intervals(const double lower[YASKAWA_GP7_JOINTS], const double upper[YASKAWA_GP7_JOINTS])
+KINSYM_FN static int all_intervals(const double lower[YASKAWA_GP7_JOINTS], const double upper[YASKAWA_GP7_JOINTS])
 {
     for (int i = 0; i < YASKAWA_GP7_JOINTS; ++i) {
         if (!(lower[i] <= upper[i] && lower[i] < HUGE_VAL && upper[i] > -HUGE_VAL)) {
@@ -936,7 +940,7 @@ static int all_intervals(const double lower[YASKAWA_GP7_JOINTS], const double up
 }
 
 /* The least and the largest number of whole turns that take joint i into its limits; the least is larger if none. */
-static void turns_of(int i, double x, double low, double high, double *first, double *last)
+KINSYM_FN static void turns_of(int i, double x, double low, double high, double *first, double *last)
 {
     const double start = low - SLACK * fmax(1.0, fabs(low)) - x, end = high + SLACK * fmax(1.0, fabs(high)) - x;
     *first = kinds[i] == 'R' ? ceil(start / TURN) : start <= 0.0 && end >= 0.0 ? 0.0 : 1.0;
@@ -944,18 +948,18 @@ static void turns_of(int i, double x, double low, double high, double *first, do
 }
 
 /* The value of joint i after whole turns, inside the limits that it is within the slack of. */
-static double moved(int i, double x, double turns, double low, double high)
+KINSYM_FN static double moved(int i, double x, double turns, double low, double high)
 {
     return kinds[i] == 'R' ? fmin(fmax(x + TURN * turns, low), high) : fmin(fmax(x, low), high);
 }
 
 /* What a solution with this mark comes to. */
-static yaskawa_gp7_status status_of(yaskawa_gp7_mark special)
+KINSYM_FN static yaskawa_gp7_status status_of(yaskawa_gp7_mark special)
 {
     return special.free | special.border ? YASKAWA_GP7_SINGULAR : YASKAWA_GP7_SOLVED;
 }
 
-yaskawa_gp7_status yaskawa_gp7_solve(const double T[16], const yaskawa_gp7_params *p,
+KINSYM_FN yaskawa_gp7_status yaskawa_gp7_solve(const double T[16], const yaskawa_gp7_params *p,
     const double reference[YASKAWA_GP7_JOINTS], yaskawa_gp7_solutions *out)
 {
     out->count = 0;
@@ -979,7 +983,7 @@ yaskawa_gp7_status yaskawa_gp7_solve(const double T[16], const yaskawa_gp7_param
     return out->status;
 }
 
-unsigned yaskawa_gp7_family(unsigned free)
+KINSYM_FN unsigned yaskawa_gp7_family(unsigned free)
 {
     unsigned moving = free;
     moving |= (free & 8u) == 8u ? 40u : 0u;
@@ -987,7 +991,7 @@ unsigned yaskawa_gp7_family(unsigned free)
     return moving;
 }
 
-int yaskawa_gp7_within(const double T[16], const yaskawa_gp7_params *p,
+KINSYM_FN int yaskawa_gp7_within(const double T[16], const yaskawa_gp7_params *p,
     const double reference[YASKAWA_GP7_JOINTS], const double lower[YASKAWA_GP7_JOINTS],
     const double upper[YASKAWA_GP7_JOINTS], int capacity, double q[][YASKAWA_GP7_JOINTS],
     yaskawa_gp7_mark marks[])
@@ -1033,7 +1037,7 @@ int yaskawa_gp7_within(const double T[16], const yaskawa_gp7_params *p,
     return total < INT_MAX ? (int)total : INT_MAX;
 }
 
-yaskawa_gp7_status yaskawa_gp7_nearest(const double T[16], const yaskawa_gp7_params *p,
+KINSYM_FN yaskawa_gp7_status yaskawa_gp7_nearest(const double T[16], const yaskawa_gp7_params *p,
     const double reference[YASKAWA_GP7_JOINTS], const double weights[YASKAWA_GP7_JOINTS],
     const double lower[YASKAWA_GP7_JOINTS], const double upper[YASKAWA_GP7_JOINTS],
     double q[YASKAWA_GP7_JOINTS])
@@ -1096,7 +1100,7 @@ typedef struct lane_block {
  * off in three parts (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980; the first two have
  * 33 bits), and what is left, in [-pi/4, pi/4], goes into Taylor's series to x^15 and x^16. Adding 3/2 * 2^52 and
  * taking it off again rounds to a whole number. */
-static inline double lane_wave(double angle, double quarter)
+KINSYM_FN static inline double lane_wave(double angle, double quarter)
 {
     const double whole = 6755399441055744.0;
     const double turns = (angle * 0.6366197723675814 + whole) - whole;
@@ -1114,18 +1118,18 @@ static inline double lane_wave(double angle, double quarter)
     return (lower + whole) - whole == lower ? value : -value;
 }
 
-static inline double lane_sin(double angle)
+KINSYM_FN static inline double lane_sin(double angle)
 {
     return lane_wave(angle, 0.0);
 }
 
-static inline double lane_cos(double angle)
+KINSYM_FN static inline double lane_cos(double angle)
 {
     return lane_wave(angle, 1.0);
 }
 
 /* Forward kinematics of the block's joint vectors of one path. */
-static void fk_block(const yaskawa_gp7_params *p, int path, lane_block *block)
+KINSYM_FN static void fk_block(const yaskawa_gp7_params *p, int path, lane_block *block)
 {
     const double a1 = p->a1;
     const double d1 = p->d1;
@@ -1180,10 +1184,10 @@ static void fk_block(const yaskawa_gp7_params *p, int path, lane_block *block)
         const double v16_y = s2m3 * v46_x - c2m3 * v36_y;
         const double w16_x = c2m3 * c5 + s2m3 * w36_y;
         const double w16_y = s2m3 * c5 - c2m3 * w36_y;
-        const double sum1 = a3 + p36_y;
+        const double sum1 = p36_y + a3;
         const double p16_x = a2 * s2 + s2m3 * sum1 - c2m3 * p36_z;
         const double p16_y = -a2 * c2 - c2m3 * sum1 - s2m3 * p36_z;
-        const double sum2 = a1 + p16_x;
+        const double sum2 = p16_x + a1;
         block->T[0][k] = c1 * u16_x + s1 * u36_x;
         block->T[1][k] = c1 * v16_x + s1 * v36_x;
         block->T[2][k] = c1 * w16_x + s1 * w36_x;
@@ -1199,7 +1203,7 @@ static void fk_block(const yaskawa_gp7_params *p, int path, lane_block *block)
     }
 }
 
-void yaskawa_gp7_fk_batch(const double q[], int n, const yaskawa_gp7_params *p, double T[])
+KINSYM_FN void yaskawa_gp7_fk_batch(const double q[], int n, const yaskawa_gp7_params *p, double T[])
 {
     if (p == NULL) {
         p = &yaskawa_gp7_defaults;
@@ -1233,13 +1237,13 @@ void yaskawa_gp7_fk_batch(const double q[], int n, const yaskawa_gp7_params *p, 
 }
 
 /* The larger of two numbers; fmax would be a call. */
-static inline double larger(double x, double y)
+KINSYM_FN static inline double larger(double x, double y)
 {
     return x > y ? x : y;
 }
 
 /* The two angles with a*cos + b*sin = 0, half a turn apart. */
-static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
+KINSYM_FN static inline double lane_homogeneous(double a, double b, double t, double c[2], double s[2], double *marked)
 {
     const double r = sqrt(a * a + b * b);
     const double per_r = 1.0 / r;
@@ -1253,8 +1257,8 @@ static inline double lane_homogeneous(double a, double b, double t, double c[2],
 
 /* Two links l1, l2 that reach (x, y): the second has the components k along the first and w across it; the first sees
  * the point at (along, w). */
-static inline double lane_triangle(double x, double y, double l1, double l2, double t,
-                                   double *k, double w[2], double *along, double *marked)
+KINSYM_FN static inline double lane_triangle(double x, double y, double l1, double l2, double t, double *k, double w[2],
+    double *along, double *marked)
 {
     const double rr = x * x + y * y, near = NEAR * t;
     const double outer = fabs(l1) + fabs(l2), inner = fabs(l1) - fabs(l2);
@@ -1274,8 +1278,8 @@ static inline double lane_triangle(double x, double y, double l1, double l2, dou
 }
 
 /* The angle that turns (along, across) into the direction of (x, y). */
-static inline void lane_direction(double x, double y, double along, double across, double t, double *c, double *s,
-                                  double *marked)
+KINSYM_FN static inline void lane_direction(double x, double y, double along, double across, double t, double *c,
+    double *s, double *marked)
 {
     const double nc = x * along + y * across;
     const double ns = y * along - x * across;
@@ -1290,7 +1294,7 @@ static inline void lane_direction(double x, double y, double along, double acros
 
 /* Takes n poses over, the last one for the lanes beyond, as read_pose does: the rotation made orthogonal, tau widened
  * by how much it was off. What is at the edge of being a pose is left to read_pose, like what is none. */
-static void read_block(const double T[], int n, lane_block *block)
+KINSYM_FN static void read_block(const double T[], int n, lane_block *block)
 {
     for (int k = 0; k < LANES; ++k) {
         const double *pose = T + 16 * (k < n ? k : n - 1);
@@ -1331,7 +1335,7 @@ static void read_block(const double T[], int n, lane_block *block)
 }
 
 /* Every solution of the block, path by path; a path that ends before is no solution. */
-static void solve_block(const yaskawa_gp7_params *p, lane_block *block)
+KINSYM_FN static void solve_block(const yaskawa_gp7_params *p, lane_block *block)
 {
     const double a1 = p->a1;
     const double d1 = p->d1;
@@ -1466,7 +1470,7 @@ static void solve_block(const yaskawa_gp7_params *p, lane_block *block)
     }
 }
 
-int yaskawa_gp7_ik_batch(const double T[], int n, const yaskawa_gp7_params *p,
+KINSYM_FN int yaskawa_gp7_ik_batch(const double T[], int n, const yaskawa_gp7_params *p,
     const double reference[YASKAWA_GP7_JOINTS], double q[][YASKAWA_GP7_JOINTS], int counts[])
 {
     if (p == NULL) {
@@ -1501,3 +1505,7 @@ int yaskawa_gp7_ik_batch(const double T[], int n, const yaskawa_gp7_params *p,
     }
     return reached;
 }
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) && !defined(__CUDA__)
+#pragma GCC pop_options
+#endif

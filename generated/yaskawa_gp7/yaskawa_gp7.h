@@ -32,9 +32,28 @@
  * sine together with its cosine. Plain C99 (-std=c99 -O2) takes up to twice as long and gives the same solutions
  * within rounding. Never compile with -ffast-math: NaN must stay visible. If YASKAWA_GP7_LIBM_ATAN2 is defined,
  * atan2 is the library's and not the source's own.
+ *
+ * A .cu file that includes yaskawa_gp7.c has every function for the host and for the device;
+ * KINSYM_FN may name what else stands before each of them.
  */
 #ifndef YASKAWA_GP7_H
 #define YASKAWA_GP7_H
+
+/* What stands before every function, and before every table that functions read. */
+#ifndef KINSYM_FN
+#if defined(__CUDACC__) || defined(__CUDA__)
+#define KINSYM_FN __host__ __device__
+#else
+#define KINSYM_FN
+#endif
+#endif
+#ifndef KINSYM_DATA
+#ifdef __CUDA_ARCH__
+#define KINSYM_DATA __device__
+#else
+#define KINSYM_DATA
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -67,13 +86,13 @@ typedef struct yaskawa_gp7_params {
 } yaskawa_gp7_params;
 
 /* The values of the table; they are taken where a function is given p = NULL. */
-extern const yaskawa_gp7_params yaskawa_gp7_defaults;
+extern KINSYM_DATA const yaskawa_gp7_params yaskawa_gp7_defaults;
 
 /* Forward kinematics: the pose T of the joint vector q. */
-void yaskawa_gp7_fk(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_params *p, double T[16]);
+KINSYM_FN void yaskawa_gp7_fk(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_params *p, double T[16]);
 
 /* Geometric Jacobian in the base frame, row-major: three rows of velocity, three of angular velocity. */
-void yaskawa_gp7_jacobian(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_params *p,
+KINSYM_FN void yaskawa_gp7_jacobian(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_params *p,
     double J[6 * YASKAWA_GP7_JOINTS]);
 
 /*
@@ -99,11 +118,11 @@ void yaskawa_gp7_jacobian(const double q[YASKAWA_GP7_JOINTS], const yaskawa_gp7_
  * or if one of these vanishes, which the equations take for granted: a2.
  * Where two solutions meet, at the border of the workspace, one is returned; a joint that is free takes the
  * value 0. */
-int yaskawa_gp7_ik(const double T[16], const yaskawa_gp7_params *p, double q[][YASKAWA_GP7_JOINTS]);
+KINSYM_FN int yaskawa_gp7_ik(const double T[16], const yaskawa_gp7_params *p, double q[][YASKAWA_GP7_JOINTS]);
 
 /* The same; a joint that is free takes its value in the reference, for example the present joint vector; a
  * reference that is NULL is all zeros. */
-int yaskawa_gp7_ik_near(const double T[16], const yaskawa_gp7_params *p,
+KINSYM_FN int yaskawa_gp7_ik_near(const double T[16], const yaskawa_gp7_params *p,
     const double reference[YASKAWA_GP7_JOINTS], double q[][YASKAWA_GP7_JOINTS]);
 
 /* What is known of a solution beside its values. branch: its number in the fixed order of branches, 0 to
@@ -115,7 +134,7 @@ typedef struct yaskawa_gp7_mark {
 } yaskawa_gp7_mark;
 
 /* The same; marks[i] belongs to q[i]. */
-int yaskawa_gp7_ik_marked(const double T[16], const yaskawa_gp7_params *p,
+KINSYM_FN int yaskawa_gp7_ik_marked(const double T[16], const yaskawa_gp7_params *p,
     const double reference[YASKAWA_GP7_JOINTS], double q[][YASKAWA_GP7_JOINTS], yaskawa_gp7_mark marks[]);
 
 /* The names of the branches by their number:
@@ -137,7 +156,8 @@ int yaskawa_gp7_ik_marked(const double T[16], const yaskawa_gp7_params *p,
 extern const char *const yaskawa_gp7_branches[YASKAWA_GP7_MAX_SOLUTIONS];
 
 /* The limits of the table, infinite where a joint has none. They are taken where a function is given NULL. */
-extern const double yaskawa_gp7_lower[YASKAWA_GP7_JOINTS], yaskawa_gp7_upper[YASKAWA_GP7_JOINTS];
+extern KINSYM_DATA const double yaskawa_gp7_lower[YASKAWA_GP7_JOINTS];
+extern KINSYM_DATA const double yaskawa_gp7_upper[YASKAWA_GP7_JOINTS];
 
 /* The solutions of one pose in the order of branches, and what the call came to. */
 typedef struct yaskawa_gp7_solutions {
@@ -148,12 +168,12 @@ typedef struct yaskawa_gp7_solutions {
 } yaskawa_gp7_solutions;
 
 /* ik_marked with a status, which is returned as well; YASKAWA_GP7_BAD_REFERENCE if the reference is not finite. */
-yaskawa_gp7_status yaskawa_gp7_solve(const double T[16], const yaskawa_gp7_params *p,
+KINSYM_FN yaskawa_gp7_status yaskawa_gp7_solve(const double T[16], const yaskawa_gp7_params *p,
     const double reference[YASKAWA_GP7_JOINTS], yaskawa_gp7_solutions *out);
 
 /* The joints that move along the family of free joints: their bits for the bits of a mark's free, as the list of
  * families above says. */
-unsigned yaskawa_gp7_family(unsigned free);
+KINSYM_FN unsigned yaskawa_gp7_family(unsigned free);
 
 /* The solutions inside joint limits, with every whole turn of a revolute joint that fits, turns of the first
  * joint outermost. A joint with an infinite limit is not wound, its value in (-pi, pi] has to
@@ -161,7 +181,7 @@ unsigned yaskawa_gp7_family(unsigned free);
  * Within 1e-12 of a limit is on it. Returns the number of joint vectors (at most INT_MAX), of which the first so many
  * as the capacity are written to q and marks; 0 if none is inside; the status where that is negative;
  * YASKAWA_GP7_BAD_LIMIT if limits are no interval. */
-int yaskawa_gp7_within(const double T[16], const yaskawa_gp7_params *p,
+KINSYM_FN int yaskawa_gp7_within(const double T[16], const yaskawa_gp7_params *p,
     const double reference[YASKAWA_GP7_JOINTS], const double lower[YASKAWA_GP7_JOINTS],
     const double upper[YASKAWA_GP7_JOINTS], int capacity, double q[][YASKAWA_GP7_JOINTS],
     yaskawa_gp7_mark marks[]);
@@ -170,7 +190,7 @@ int yaskawa_gp7_within(const double T[16], const yaskawa_gp7_params *p,
  * windings inside the limits; infinite limits let a joint wind to wherever the reference is. Sums that agree to nine
  * digits are a tie, and the branch that comes first wins. Returns the status of this solution; q is left alone where
  * there is none. YASKAWA_GP7_BAD_WEIGHT if a weight is negative or not finite. */
-yaskawa_gp7_status yaskawa_gp7_nearest(const double T[16], const yaskawa_gp7_params *p,
+KINSYM_FN yaskawa_gp7_status yaskawa_gp7_nearest(const double T[16], const yaskawa_gp7_params *p,
     const double reference[YASKAWA_GP7_JOINTS], const double weights[YASKAWA_GP7_JOINTS],
     const double lower[YASKAWA_GP7_JOINTS], const double upper[YASKAWA_GP7_JOINTS],
     double q[YASKAWA_GP7_JOINTS]);
@@ -178,7 +198,7 @@ yaskawa_gp7_status yaskawa_gp7_nearest(const double T[16], const yaskawa_gp7_par
 /* Forward kinematics of n joint vectors: q has YASKAWA_GP7_JOINTS numbers for each,
  * T gets 16. Within rounding of fk, which takes over where the angles of a joint vector add up to more than 10000
  * radians. */
-void yaskawa_gp7_fk_batch(const double q[], int n, const yaskawa_gp7_params *p, double T[]);
+KINSYM_FN void yaskawa_gp7_fk_batch(const double q[], int n, const yaskawa_gp7_params *p, double T[]);
 
 /* Inverse kinematics of n poses: T has 16 numbers for each, one pose after the other. The solutions of pose k are
  * those of ik_near, in its order, in the rows of q from
@@ -191,7 +211,7 @@ void yaskawa_gp7_fk_batch(const double q[], int n, const yaskawa_gp7_params *p, 
  * the rest the code has no branches, so that a compiler computes 2 to 8 poses in one instruction: gcc and clang do with
  * -O3 -march=native, or -O3 -mavx2 -mfma for any x86-64 processor since 2013 (as C++ with -fno-math-errno besides).
  * About 60 kB of stack are used. */
-int yaskawa_gp7_ik_batch(const double T[], int n, const yaskawa_gp7_params *p,
+KINSYM_FN int yaskawa_gp7_ik_batch(const double T[], int n, const yaskawa_gp7_params *p,
     const double reference[YASKAWA_GP7_JOINTS], double q[][YASKAWA_GP7_JOINTS], int counts[]);
 
 #ifdef __cplusplus

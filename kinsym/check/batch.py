@@ -14,12 +14,20 @@ SINGLE_FORWARD_LAW = "fk and fk_batch agree"
 SINGLE_LIMIT = 1e-12
 
 
-def hold_batch(ledger: Ledger, target: CSolver, judge: Judge, *, poses: Floats, q: Floats) -> None:
+#: Angles so many times as large are left to the function for one joint vector.
+MANY_TURNS = 1e5
+TURNED = 5
+
+
+def hold_batch(ledger: Ledger, target: CSolver, judge: Judge, *, poses: Floats, q: Floats, noisy: Floats) -> None:
     """The same numbers of solutions, in the same order, whole turns aside.
 
-    ``poses`` (m, 4, 4) are those of ``q`` (m, n); free joints take 0 in both, joints that are held their value in
-    q. What is no pose is refused among others.
+    ``poses`` (m, 4, 4) are those of ``q`` (m, n), ``noisy`` (k, 4, 4) the first of them, their rotations known to
+    fewer digits; free joints take 0 in both, joints that are held their value in q. What is no pose is refused among
+    others.
     """
+    poses, every = np.concatenate([poses, noisy]), q
+    q = np.concatenate([q, q[: len(noisy)]])
     reference = np.where(judge.kinematics.free, 0.0, q)
     (single, count), (batch, batch_count) = target.inverse(poses, reference), target.inverse_batch(poses, reference)
     found = np.arange(single.shape[1]) < count[:, None]
@@ -30,7 +38,9 @@ def hold_batch(ledger: Ledger, target: CSolver, judge: Judge, *, poses: Floats, 
     answered = target.inverse_batch(cases, reference[: len(cases)])[1] >= 0
     tried, failed = len(q) + len(cases), int(wrong.sum() + answered.sum())
     ledger.count(SINGLE_LAW, target.name, tried, failed, limit=f"<= {SINGLE_LIMIT:g}")
-    one, many = target.forward(q), target.forward_batch(q)
+    far = every[:TURNED] * np.where(judge.revolute & judge.kinematics.free, MANY_TURNS, 1.0)
+    every = np.concatenate([every, far])
+    one, many = target.forward(every), target.forward_batch(every)
     scale = np.maximum(1.0, np.abs(one).max(axis=(1, 2)))
     missed = ~(np.abs(many - one).max(axis=(1, 2)) <= SINGLE_LIMIT * scale)
-    ledger.count(SINGLE_FORWARD_LAW, target.name, len(q), int(missed.sum()), limit=f"<= {SINGLE_LIMIT:g}")
+    ledger.count(SINGLE_FORWARD_LAW, target.name, len(every), int(missed.sum()), limit=f"<= {SINGLE_LIMIT:g}")

@@ -57,16 +57,13 @@ def compare(
         choices = draws(schedule.parameters, lengths_of(robot), schedule.digest, CHOICES)
         for number, parameters in enumerate(choices):
             progress(f"checking, parameters {number + 1} of {len(choices)}" if len(choices) > 1 else "checking")
-            counts = FULL if len(choices) == 1 else DIVIDED
-            if schedule.general:
-                counts = replace(counts, exact=(SLOWLY if schedule.nominal else ELIMINATED) // len(choices))
             targets = loaded.solvers(parameters)
             examination = Examination(
                 robot=robot,
                 schedule=schedule,
                 parameters=parameters,
                 number=number,
-                counts=counts,
+                counts=counts_of(schedule),
                 targets=targets,
                 ledger=ledger,
             )
@@ -87,6 +84,15 @@ def compare(
             },
             measured={"worst": ledger.worst(), "cases": ledger.tallies, **loaded.versions},
         )
+
+
+def counts_of(schedule: Schedule) -> Counts:
+    """How many samples one choice of the parameters gets; an arm without parameters has one choice alone."""
+    number = CHOICES if schedule.parameters else 1
+    counts = FULL if number == 1 else DIVIDED
+    if schedule.general:
+        counts = replace(counts, exact=(SLOWLY if schedule.nominal else ELIMINATED) // number)
+    return counts
 
 
 def _spread(counts: Counter[int]) -> dict[str, int]:

@@ -8,8 +8,11 @@ from __future__ import annotations
 import os
 import shlex
 import shutil
+import signal
 import subprocess
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 from kinsym.errors import CheckFailed
 
@@ -31,7 +34,10 @@ _LINES = 20
 
 def find_compiler() -> str | None:
     """The path of a C compiler: ``$CC`` if it names a program, else cc, gcc or clang; None if there is none."""
-    named = shlex.split(os.environ.get("CC", ""))
+    try:
+        named = shlex.split(os.environ.get("CC", ""))
+    except ValueError:  # a quotation mark without its partner
+        named = []
     for candidate in [*named[:1], "cc", "gcc", "clang"]:
         path = shutil.which(candidate)
         if path:
@@ -64,17 +70,42 @@ def compile_shared(
         raise CheckFailed("no C compiler was found. Install gcc or clang, or name one in the variable CC")
     source_dir, library = Path(source_dir), Path(out_dir).resolve() / f"{name}.so"
     command = [compiler, *flags, "-fPIC", "-shared", f"{name}{suffix}", *more, "-o", str(library), "-lm"]
-    finished = _run(command, source_dir)
+    # What the compiler leaves when it is ended goes with the folder.
+    finished = _run(command, source_dir, {"TMPDIR": str(library.parent)})
     if finished.returncode != 0:
         said = "\n".join((finished.stderr or finished.stdout).splitlines()[:_LINES])
         raise CheckFailed(f"{name}{suffix} does not compile with {Path(compiler).name}:\n{said}")
     return library
 
 
-def _run(command: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
+def _run(
+    command: list[str], folder: Path, environment: Mapping[str, str] = MappingProxyType({})
+) -> subprocess.CompletedProcess[str]:
+    """Run a compiler to its end, or end it together with all that it has started: it is a group of its own."""
     try:
-        return subprocess.run(
-            command, cwd=folder, capture_output=True, text=True, errors="replace", timeout=_SECONDS, check=False
-        )
+        with subprocess.Popen(
+            command,
+            cwd=folder,
+            env={**os.environ, **environment},
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            errors="replace",
+            start_new_session=True,
+        ) as process:
+            try:
+                out, err = process.communicate(timeout=_SECONDS)
+            except BaseException:  # Ctrl-C above all
+                _end(process)
+                raise
     except (OSError, subprocess.TimeoutExpired) as error:
         raise CheckFailed(f"the compiler {Path(command[0]).name} could not be run: {error}") from error
+    return subprocess.CompletedProcess(command, process.returncode, out, err)
+
+
+def _end(process: subprocess.Popen[str]) -> None:
+    try:
+        os.killpg(process.pid, signal.SIGKILL)
+    except (AttributeError, ProcessLookupError):  # no groups on this platform, or it ended by itself
+        process.kill()

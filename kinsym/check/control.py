@@ -69,12 +69,17 @@ def hold_status(
         if target.name not in answers or not isinstance(target, NumpySolver | CSolver):
             continue
         count = answers[target.name][1]
-        said[target.name] = [target.status(poses[row], q[row]) for row in which]
-        empty = [status == "unreachable" for status in said[target.name]]
-        wrong = sum(bool(count[row]) == none for row, none in zip(which, empty, strict=True))
         cases = list(malformed(poses[0]).values())
-        wrong += sum(target.status(case, q[0]) != "not a pose" for case in cases)
+        try:
+            told = [target.status(poses[row], q[row]) for row in which]
+            refused = [target.status(case, q[0]) for case in cases]
+        except Exception as error:  # generated code that was edited may raise anything
+            ledger.fail(STATUS_LAW, target.name, f"{type(error).__name__}: {error}")
+            continue
+        wrong = sum(bool(count[row]) == (word == "unreachable") for row, word in zip(which, told, strict=True))
+        wrong += sum(word != "not a pose" for word in refused)
         ledger.count(STATUS_LAW, target.name, len(which) + len(cases), wrong)
+        said[target.name] = told
     for name in list(said)[1:]:
         own, first = next(iter(said.items()))
         wrong = sum(a != b for a, b, plain in zip(first, said[name], uniform[which].tolist(), strict=True) if plain)

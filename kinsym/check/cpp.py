@@ -32,7 +32,10 @@ REFUSE_LAW = "ComputeIk refuses what is no pose"
 
 def find_cpp_compiler() -> str | None:
     """The path of a C++ compiler: ``$CXX`` if it names a program, else c++, g++ or clang++; None if there is none."""
-    named = shlex.split(os.environ.get("CXX", ""))
+    try:
+        named = shlex.split(os.environ.get("CXX", ""))
+    except ValueError:  # a quotation mark without its partner
+        named = []
     return next((path for word in [*named[:1], "c++", "g++", "clang++"] if (path := shutil.which(word))), None)
 
 

@@ -8,8 +8,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
+from copy import deepcopy
 from dataclasses import replace
 from fractions import Fraction
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,10 +20,22 @@ from numpy.typing import NDArray
 from kinsym.check.batch import SINGLE_LAW, SINGLE_LIMIT, hold_batch
 from kinsym.check.control import hold_nearest, hold_status
 from kinsym.check.definition import hold_definition
+from kinsym.check.interface import Questions, hold_interface, hold_same_marks
 from kinsym.check.laws import CLOSURE, COPY, FORWARD, PATH, SAME, Judge, malformed, outward
 from kinsym.check.ledger import Ledger
 from kinsym.check.nominal import with_nominal_samples
-from kinsym.check.poses import KINDS, NOMINAL, PAIR, UNIFORM, Counts, generator, held_samples, wrapped
+from kinsym.check.poses import (
+    KINDS,
+    NOMINAL,
+    PAIR,
+    QUARTER,
+    SINGULAR,
+    UNIFORM,
+    Counts,
+    generator,
+    held_samples,
+    wrapped,
+)
 from kinsym.check.singular import volume_of
 from kinsym.check.singular_set import hold_singular_set
 from kinsym.check.solvers import CSolver, ExactSolver, Floats, NumpySolver, Solutions, Solver, TreeKinematics
@@ -33,10 +48,11 @@ Rows = NDArray[np.intp]
 
 TABLE_POSES = 24
 JACOBIAN_POSES = 5
-SINGLE_POSES = 60
+SINGLE_POSES, SINGLE_NOISY = 60, 8
 FAR_POSES = 12
 NOISE_POSES = 60
 SET_POSES = 40
+MARKED_POSES, SPECIAL_POSES = 12, 36
 
 #: Nearer to a singular pose than this, double roots merge (within 2 sqrt(2 tau)) and angles are soft.
 MERGED = 1e-6
@@ -105,48 +121,73 @@ class Examination:
         self.q = self.samples.q
         self.poses = self.exact.forward(self.q)
         self.solution_counts: Counter[int] = Counter()
+        self.every = np.arange(len(self.q))
+        #: Those that the exact walk sees, which is slow.
+        self.some = self.every[:: max(1, len(self.every) // counts.exact)]
+        self._slopes = self.rng.permutation(len(self.q))[:JACOBIAN_POSES]
+        self._noisy_poses = self._noisy()
+        self._rows = self.rng.permutation(len(self.q))[:TABLE_POSES]
+        #: What each target says of the poses in :attr:`_questions`.
+        self._marks: dict[str, list[Any]] = {}
 
     def run(self) -> None:
-        """Every law; a target that raises fails :data:`ERROR_LAW` and is left out of the rest."""
-        every = np.arange(len(self.q))
-        some = every[:: max(1, len(every) // self.counts.exact)]
-        slopes = self.rng.permutation(len(self.q))[:JACOBIAN_POSES]
-        noisy = self._noisy()
-        rows = self.rng.permutation(len(self.q))[:TABLE_POSES]
-        hold_definition(self.ledger, self.exact, self.table, q=self.q[rows], slopes=self.q[slopes])
-        oracle = self.exact.inverse(self.poses[some], self.q[some])
-        self._inverse(self.exact, oracle, some)
-        self._refusals(self.exact)
-        answers: dict[str, Solutions] = {}
+        """Every law on every target."""
+        oracle = self.hold_exact()
+        answers = {}
         for target in self.targets:
-            try:
-                self._forward(target, slopes)
-                hold_singular_set(self.ledger, target, self.schedule, self.parameters, self.q[:SET_POSES])
-                answer = target.inverse(self.poses, self.q)
-                self._inverse(target, answer, every)
-                self._refusals(target)
-                self._unreachable(target)
-                if not sifted(self.schedule):
-                    self._noise(target, noisy)
-                if isinstance(target, NumpySolver):
-                    self._single(target, some[:SINGLE_POSES])
-                    self._sweep(target, some[:SINGLE_POSES])
-                if isinstance(target, CSolver):
-                    hold_batch(self.ledger, target, self.judge, poses=self.poses, q=self.q)
-                if isinstance(target, NumpySolver | CSolver):
-                    hold_nearest(self.ledger, target, self.judge, poses=self.poses[some], q=self.q[some], rng=self.rng)
-            except Exception as error:  # generated code that was edited may raise anything
-                self.ledger.fail(ERROR_LAW, target.name, f"{type(error).__name__}: {error}")
-                continue
-            answers[target.name] = answer
+            answer = self.hold(target)
+            if answer is not None:
+                answers[target.name] = answer
+        self.hold_agreement(oracle, answers)
+        self._count_solutions(next(iter(answers.values()))[1] if answers else None, oracle[1])
+
+    def hold_exact(self) -> Solutions:
+        """The laws of the exact walk, and its answers to the poses it sees."""
+        hold_definition(self.ledger, self.exact, self.table, q=self.q[self._rows], slopes=self.q[self._slopes])
+        oracle = self.exact.inverse(self.poses[self.some], self.q[self.some])
+        self._inverse(self.exact, oracle, self.some)
+        self._refusals(self.exact)
+        return oracle
+
+    def hold(self, target: Solver) -> Solutions | None:
+        """The laws of one target, and its answers to all poses; one that raises fails :data:`ERROR_LAW`."""
+        every, some = self.every, self.some
+        try:
+            self._forward(target, self._slopes)
+            hold_singular_set(self.ledger, target, self.schedule, self.parameters, self.q[:SET_POSES])
+            answer = target.inverse(self.poses, self.q)
+            self._inverse(target, answer, every)
+            self._refusals(target)
+            self._unreachable(target)
+            if not sifted(self.schedule):
+                self._noise(target, self._noisy_poses)
+            if isinstance(target, NumpySolver):
+                self._single(target, some[:SINGLE_POSES])
+                self._sweep(target, some[:SINGLE_POSES])
+            if isinstance(target, CSolver):
+                hold_batch(self.ledger, target, self.judge, poses=self.poses, q=self.q, noisy=self._noisy_poses)
+            if isinstance(target, NumpySolver | CSolver):
+                # every target is asked the same
+                rng = deepcopy(self.rng)
+                hold_nearest(self.ledger, target, self.judge, poses=self.poses[some], q=self.q[some], rng=rng)
+                self._marks[target.name] = hold_interface(self.ledger, target, self._questions, rng)
+        except Exception as error:  # generated code that was edited may raise anything
+            self.ledger.fail(ERROR_LAW, target.name, f"{type(error).__name__}: {error}")
+            return None
+        return answer
+
+    def hold_agreement(self, oracle: Solutions, answers: Mapping[str, Solutions]) -> None:
+        """Whether the targets' answers agree with each other and with the exact walk's."""
         uniform = self.samples.of(UNIFORM)
-        hold_status(self.ledger, self.targets, answers, poses=self.poses, q=self.q, uniform=uniform, which=some)
+        hold_status(self.ledger, self.targets, answers, poses=self.poses, q=self.q, uniform=uniform, which=self.some)
         for name in list(answers)[1:]:
             own = next(iter(answers))
-            self._agree(f"{own} and {name}", answers[own], answers[name], every)
+            self._agree(f"{own} and {name}", answers[own], answers[name], self.every)
+            if own in self._marks and name in self._marks:
+                plain = self._questions.plain
+                hold_same_marks(self.ledger, f"{own} and {name}", self._marks[own], self._marks[name], plain)
         for name, (q, count) in answers.items():
-            self._agree(f"exact walk and {name}", oracle, (q[some], count[some]), some)
-        self._count_solutions(next(iter(answers.values()))[1] if answers else None, oracle[1], some)
+            self._agree(f"exact walk and {name}", oracle, (q[self.some], count[self.some]), self.some)
 
     def poses_by_kind(self) -> dict[str, int]:
         """How many poses of each kind were tried."""
@@ -157,6 +198,17 @@ class Examination:
         pose, jacobian = self.kinematics.forward(q), self.kinematics.jacobian(q)
         slope = task_jacobian(jacobian, pose, self.schedule.task, self.kinematics.size)
         return volume_of(slope[..., self.kinematics.free])
+
+    @cached_property
+    def _questions(self) -> Questions:
+        """Ordinary poses and those nearest to singular ones, for what is asked of one pose at a time."""
+        ordinary, special = (1, 4) if self.schedule.general else (MARKED_POSES, SPECIAL_POSES)
+        uniform = self.samples.of(UNIFORM)
+        near = np.where(self.samples.of(QUARTER, SINGULAR), self.samples.offset, np.inf)
+        rows = np.concatenate([np.flatnonzero(uniform)[:ordinary], np.argsort(near, kind="stable")[:special]])
+        return Questions(
+            schedule=self.schedule, judge=self.judge, poses=self.poses[rows], q=self.q[rows], plain=uniform[rows]
+        )
 
     @property
     def _length(self) -> float:
@@ -288,16 +340,19 @@ class Examination:
         self.ledger.count(NOISE_LAW, solver.name, len(noisy), int(wrong.sum()), limit=f"<= {20 * NOISE:g}")
 
     def _single(self, solver: NumpySolver, which: Rows) -> None:
-        q, count = solver.inverse(self.poses[which], self.q[which])
+        """One pose at a time, among them some with a rotation that is known to fewer digits."""
+        poses = np.concatenate([self.poses[which], self._noisy_poses[:SINGLE_NOISY]])
+        reference = np.concatenate([self.q[which], self.q[:SINGLE_NOISY]])
+        q, count = solver.inverse(poses, reference)
         wrong = 0
-        for row, sample in enumerate(which):
-            single, batch = solver.single(self.poses[sample], self.q[sample]), q[row, : count[row]]
+        for row, pose in enumerate(poses):
+            single, batch = solver.single(pose, reference[row]), q[row, : count[row]]
             if single.shape == batch.shape:
                 gap = wrapped(single - batch, self.judge.revolute)
                 if np.all(np.abs(gap) <= SINGLE_LIMIT):
                     continue
-            wrong += not (self.schedule.general and self._one_by_one(single, batch, self.poses[sample]))
-        self.ledger.count(SINGLE_LAW, solver.name, len(which), wrong, limit=f"<= {SINGLE_LIMIT:g}")
+            wrong += not (self.schedule.general and self._one_by_one(single, batch, pose))
+        self.ledger.count(SINGLE_LAW, solver.name, len(poses), wrong, limit=f"<= {SINGLE_LIMIT:g}")
 
     def _sweep(self, solver: NumpySolver, which: Rows) -> None:
         """One pose over the values that the locked inputs have in all samples: as many single calls."""
@@ -315,9 +370,9 @@ class Examination:
         left, right = (single[None], np.array([len(single)])), (batch[None], np.array([len(batch)]))
         return bool(self.judge.agreement(left, right, pose[None])[1][0])
 
-    def _count_solutions(self, numbers: Rows | None, oracle: Rows, some: Rows) -> None:
+    def _count_solutions(self, numbers: Rows | None, oracle: Rows) -> None:
         uniform = self.samples.of(UNIFORM)
-        self.solution_counts.update((oracle[uniform[some]] if numbers is None else numbers[uniform]).tolist())
+        self.solution_counts.update((oracle[uniform[self.some]] if numbers is None else numbers[uniform]).tolist())
 
 
 def _too_many(failed: int, tried: NDArray[np.bool_], share: int) -> int:

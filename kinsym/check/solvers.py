@@ -90,9 +90,9 @@ class NumpySolver:
     name = "NumPy"
 
     def __init__(self, module: ModuleType, schedule: Schedule, parameters: Mapping[str, Fraction]) -> None:
-        self._module = module
+        self.module = module
         self._inputs = _inputs(schedule)
-        self._parameters = {name: as_float(value) for name, value in parameters.items()}
+        self.parameters = {name: as_float(value) for name, value in parameters.items()}
 
     @staticmethod
     def load(path: Path) -> ModuleType:
@@ -110,39 +110,51 @@ class NumpySolver:
         return module
 
     def forward(self, q: Floats) -> Floats:
-        return np.asarray(self._module.fk(q, **self._parameters), dtype=np.float64)
+        return np.asarray(self.module.fk(q, **self.parameters), dtype=np.float64)
 
     def jacobian(self, q: Floats) -> Floats:
-        return np.asarray(self._module.jacobian(q, **self._parameters), dtype=np.float64)
+        return np.asarray(self.module.jacobian(q, **self.parameters), dtype=np.float64)
 
     def inverse(self, poses: Floats, reference: Floats) -> Solutions:
-        q, valid = self._module.ik_batch(poses, reference=reference, **self._given(reference))
+        q, valid = self.module.ik_batch(poses, reference=reference, **self.given(reference))
         return _packed(q, valid)
 
     def single(self, pose: Floats, reference: Floats) -> Floats:
         """``ik`` of one pose: (k, n)."""
-        return np.asarray(self._module.ik(pose, reference=reference, **self._given(reference)), dtype=np.float64)
+        return np.asarray(self.module.ik(pose, reference=reference, **self.given(reference)), dtype=np.float64)
+
+    def plain(self, pose: Floats) -> Floats:
+        """``ik`` of one pose without a reference: (k, n)."""
+        return np.asarray(self.module.ik(pose, **self.parameters), dtype=np.float64)
+
+    def defaults(self, q: Floats) -> tuple[Floats, Floats] | None:
+        """``fk`` and ``jacobian`` of (m, n) with the table's parameters; None if the table leaves one open."""
+        try:
+            return np.asarray(self.module.fk(q)), np.asarray(self.module.jacobian(q))
+        except TypeError:
+            return None
 
     def sweep(self, pose: Floats, reference: Floats) -> Solutions:
         """``ik_sweep`` of one pose (4, 4) over the locked inputs of (k, n) joint vectors, packed."""
-        return _packed(*self._module.ik_sweep(pose, reference=reference, **self._given(reference)))
+        return _packed(*self.module.ik_sweep(pose, reference=reference, **self.given(reference)))
 
-    def _given(self, reference: Floats) -> dict[str, Any]:
-        return {**self._parameters, **{name: reference[..., column] for column, name in self._inputs}}
+    def given(self, reference: Floats) -> dict[str, Any]:
+        """The keywords of parameters and locked inputs, the latter from references (..., n)."""
+        return {**self.parameters, **{name: reference[..., column] for column, name in self._inputs}}
 
     def status(self, pose: Floats, reference: Floats) -> str:
         """What ``solve`` says of one pose (4, 4)."""
-        return str(self._module.solve(pose, reference=reference, **self._given(reference)).status)
+        return str(self.module.solve(pose, reference=reference, **self.given(reference)).status)
 
     def nearest(self, pose: Floats, reference: Floats, weights: Floats) -> Floats | None:
         """``nearest`` of one pose, without limits."""
         unlimited = np.array([[-np.inf, np.inf]] * len(reference))
-        found = self._module.nearest(pose, reference, weights=weights, limits=unlimited, **self._given(reference))
+        found = self.module.nearest(pose, reference, weights=weights, limits=unlimited, **self.given(reference))
         return None if found is None else np.asarray(found, dtype=np.float64)
 
     def refuses(self, pose: Floats) -> bool:
-        given = {**self._parameters, **{name: 0.0 for _, name in self._inputs}}
-        for function in (self._module.ik, self._module.ik_batch):
+        given = {**self.parameters, **{name: 0.0 for _, name in self._inputs}}
+        for function in (self.module.ik, self.module.ik_batch):
             try:
                 function(pose, **given)
             except ValueError:
@@ -181,10 +193,11 @@ class CSolver:
     name = "C"
 
     def __init__(self, library: ctypes.CDLL, schedule: Schedule, parameters: Mapping[str, Fraction]) -> None:
+        self.library, self.schedule = library, schedule
         self._n, self._most = len(schedule.joints), schedule.maximum
         values = [as_float(parameters[parameter.name]) for parameter in schedule.parameters]
         self._places = [(len(values) + k, column) for k, (column, _) in enumerate(_inputs(schedule))]
-        self._given = (ctypes.c_double * max(1, len(values) + len(self._places)))(*values)
+        self.given: Any = (ctypes.c_double * max(1, len(values) + len(self._places)))(*values)
         self._fk = getattr(library, f"{schedule.name}_fk")
         self._jacobian = getattr(library, f"{schedule.name}_jacobian")
         self._ik = getattr(library, f"{schedule.name}_ik_near")
@@ -215,17 +228,33 @@ class CSolver:
         buffer = np.empty((self._most, self._n))
         count = np.zeros(len(poses), dtype=np.intp)
         for row in range(len(poses)):
-            self._give(reference[row])
-            found = self._ik(poses[row].ctypes.data, self._given, reference[row].ctypes.data, buffer.ctypes.data)
+            self.give(reference[row])
+            found = self._ik(poses[row].ctypes.data, self.given, reference[row].ctypes.data, buffer.ctypes.data)
             count[row] = max(0, found)
             q[row, : count[row]] = np.where(np.isnan(buffer[: count[row]]), np.inf, buffer[: count[row]])
         return q, count
+
+    def plain(self, pose: Floats) -> Floats:
+        """``NAME_ik`` of one pose, which takes no reference: (k, n)."""
+        q, pose = np.full((self._most, self._n), np.nan), np.ascontiguousarray(pose)
+        function = getattr(self.library, f"{self.schedule.name}_ik")
+        function.restype, function.argtypes = ctypes.c_int, [ctypes.c_void_p] * 3
+        return q[: max(0, function(pose.ctypes.data, self.given, q.ctypes.data))]
+
+    def defaults(self, q: Floats) -> tuple[Floats, Floats] | None:
+        """``fk`` and ``jacobian`` of (m, n) with the table's parameters; None if the table leaves one open."""
+        given, self.given = self.given, None
+        poses, slopes = self.forward(q), self.jacobian(q)
+        batch, self.given = self.forward_batch(q), given
+        if not np.array_equal(np.isnan(batch[:, :3]), np.isnan(poses[:, :3])):
+            return poses, np.full_like(slopes, np.nan)
+        return None if np.isnan(poses[:, :3]).all() and np.isnan(slopes).all() else (poses, slopes)
 
     def forward_batch(self, q: Floats) -> Floats:
         """``NAME_fk_batch`` of joint vectors (m, n)."""
         q = np.ascontiguousarray(q)
         poses = np.empty((len(q), 4, 4))
-        self._fk_batch(q.ctypes.data, len(q), self._given, poses.ctypes.data)
+        self._fk_batch(q.ctypes.data, len(q), self.given, poses.ctypes.data)
         return poses
 
     def inverse_batch(self, poses: Floats, reference: Floats) -> Solutions:
@@ -237,42 +266,43 @@ class CSolver:
         values = [np.ascontiguousarray(reference[:, column]) for _, column in self._places]
         q, counts = np.full((len(poses), self._most, self._n), np.nan), np.zeros(len(poses), dtype=np.intc)
         arrays = [first, *values, q, counts]
-        self._ik_batch(poses.ctypes.data, len(poses), self._given, *(array.ctypes.data for array in arrays))
+        self._ik_batch(poses.ctypes.data, len(poses), self.given, *(array.ctypes.data for array in arrays))
         return np.where((np.arange(self._most) < counts[:, None])[..., None], q, np.nan), counts.astype(np.intp)
 
     def status(self, pose: Floats, reference: Floats) -> str:
         """What ``NAME_solve`` says of one pose (4, 4)."""
-        self._give(reference)
+        self.give(reference)
         pose, reference = np.ascontiguousarray(pose), np.ascontiguousarray(reference)
         # two ints, then for every solution its doubles and the three numbers of its mark
         out = np.empty(1 + self._most * (self._n + 2))
-        status = self._solve(pose.ctypes.data, self._given, reference.ctypes.data, out.ctypes.data)
+        status = self._solve(pose.ctypes.data, self.given, reference.ctypes.data, out.ctypes.data)
         return STATUS.get(status, str(status))
 
     def nearest(self, pose: Floats, reference: Floats, weights: Floats) -> Floats | None:
         """``NAME_nearest`` of one pose, without limits."""
-        self._give(reference)
+        self.give(reference)
         pose, reference, weights = map(np.ascontiguousarray, (pose, reference, weights))
         low, q = np.full(self._n, -np.inf), np.empty(self._n)
         high = -low
         arrays = (reference, weights, low, high, q)
-        found = self._nearest(pose.ctypes.data, self._given, *(array.ctypes.data for array in arrays))
+        found = self._nearest(pose.ctypes.data, self.given, *(array.ctypes.data for array in arrays))
         return q if found > 0 else None
 
-    def _give(self, reference: Floats) -> None:
+    def give(self, reference: Floats) -> None:
+        """Put the locked inputs of a reference (n,) into the struct of parameters."""
         for place, column in self._places:
-            self._given[place] = reference[column]
+            self.given[place] = reference[column]
 
     def refuses(self, pose: Floats) -> bool:
         pose = np.ascontiguousarray(pose, dtype=np.float64)
         buffer = np.empty((self._most, self._n))
-        return bool(self._ik(pose.ctypes.data, self._given, None, buffer.ctypes.data) < 0)
+        return bool(self._ik(pose.ctypes.data, self.given, None, buffer.ctypes.data) < 0)
 
     def _each(self, function: Callable[..., Any], q: Floats, shape: tuple[int, int]) -> Floats:
         q = np.ascontiguousarray(q)
         result = np.empty((len(q), *shape))
         for row in range(len(q)):
-            function(q[row].ctypes.data, self._given, result[row].ctypes.data)
+            function(q[row].ctypes.data, self.given, result[row].ctypes.data)
         return result
 
 

@@ -135,11 +135,16 @@ def _imported(
     except Exception as error:  # the file may hold anything by now
         ledger.fail(IMPORT, subject, f"{type(error).__name__}: {error}")
         return None
-    wanted = ("fk", "ik", "ik_batch", "jacobian", "solve", "nearest")
+    return module if hold_module(module, schedule, subject, ledger) else None
+
+
+def hold_module(module: ModuleType, schedule: Schedule, subject: str, ledger: Ledger) -> bool:
+    """Whether a module has the functions and the constants that it must have."""
+    wanted = ("fk", "ik", "ik_batch", "jacobian", "solve", "within", "nearest")
     missing = [name for name in wanted if not callable(getattr(module, name, None))]
     if missing:
         ledger.fail(IMPORT, subject, f"it has no {', '.join(missing)}")
-        return None
+        return False
     expected = {
         "NAME": schedule.name,
         "JOINTS": [joint.name for joint in schedule.joints],
@@ -151,9 +156,9 @@ def _imported(
         given = getattr(module, name, None)
         if (list(given or ()) if isinstance(value, list) else given) != value:
             ledger.fail(IMPORT, subject, f"its {name} is {given!r}, the table's is {value!r}")
-            return None
+            return False
     ledger.count(IMPORT, subject, 1, 0)
-    return module
+    return True
 
 
 def _compiled(schedule: Schedule, path: Path, ledger: Ledger, versions: dict[str, Any]) -> ctypes.CDLL | None:
@@ -165,7 +170,18 @@ def _compiled(schedule: Schedule, path: Path, ledger: Ledger, versions: dict[str
         versions["compiler"] = compiler_version(compiler)
         versions["flags"] = " ".join(FLAGS)
         library = ctypes.CDLL(str(compile_shared(path.parent, schedule.name, path.parent, compiler=compiler)))
-        for function in ("fk", "fk_batch", "ik_near", "ik_batch", "jacobian", "solve", "nearest"):
+        for function in (
+            "fk",
+            "fk_batch",
+            "ik",
+            "ik_near",
+            "ik_batch",
+            "jacobian",
+            "solve",
+            "within",
+            "nearest",
+            "family",
+        ):
             getattr(library, f"{schedule.name}_{function}")
     except (CheckFailed, OSError, AttributeError) as error:
         ledger.fail(COMPILE, C, str(error))

@@ -30,23 +30,26 @@ POINTS = (0.25, 0.5, 0.75, 1.0)
 
 @dataclass(frozen=True)
 class Tracer:
-    """Follows ways for one robot and one choice of parameters; ``limit`` is the closure a point may have."""
+    """Follows ways for one robot and one choice of parameters; ``limit`` is the closure a point may have, ``step`` the
+    length of a step and ``steps`` how many there are at most."""
 
     kinematics: TreeKinematics
     task: Task
     limit: float
+    step: float = STEP
+    steps: int = STEPS
 
     def joined(self, start: Floats, way: Floats, poses: Floats) -> NDArray[np.bool_]:
         """Whether (k, n) joint vectors are joined to ``start + way`` on the poses (k, 4, 4)."""
         end, here = start + way, start
         fine = self._on(start, poses) & self._on(end, poses)
-        for _ in range(STEPS):
+        for _ in range(self.steps):
             left = np.linalg.norm(end - here, axis=-1)
             active = fine & (left > ARRIVED)
             if not active.any():
                 break
             moved = self._stepped(here[active], end[active], poses[active])
-            nearer = np.linalg.norm(end[active] - moved, axis=-1) < left[active] - ARRIVED * STEP
+            nearer = np.linalg.norm(end[active] - moved, axis=-1) < left[active] - ARRIVED * self.step
             here = here.copy()
             here[active] = moved
             fine = fine.copy()
@@ -69,7 +72,7 @@ class Tracer:
         towards = (end - q)[..., None]
         along = (towards - np.linalg.pinv(slope, rcond=SOFT) @ (slope @ towards))[..., 0]
         length = np.linalg.norm(along, axis=-1, keepdims=True)
-        q = q + along * np.minimum(1.0, STEP / np.maximum(length, STEP))
+        q = q + along * np.minimum(1.0, self.step / np.maximum(length, self.step))
         for _ in range(CORRECTIONS):
             reached, slope = self._slope(q)
             error = residual(reached, poses, self.task, self.kinematics.size)[..., None]

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import argparse
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from kinsym.command.options import add_quiet
 from kinsym.errors import KinsymError, OutputError
+from kinsym.ownership import LARGEST_FILE
 
 if TYPE_CHECKING:
     from kinsym.command.screen import Screen
@@ -27,10 +29,14 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace, screen: Screen) -> int:
     """Check every robot whose report lies in the folder, and write its report anew."""
     from kinsym.check.report import SUFFIX
+    from kinsym.robot.names import shown
+    from kinsym.write import put_back
 
     folder = Path(options.folder)
-    if not folder.is_dir():
-        raise OutputError(f"{folder} is no folder. Give one that kinsym derive has written.")
+    if not os.path.isdir(folder):  # False as well for what is no path at all
+        raise OutputError(f"{shown(options.folder)[1:-1]} is no folder. Give one that kinsym derive has written.")
+    if put_back(folder):
+        screen.warn(f"a run that was interrupted in {folder} is undone: the files are those from before it.")
     reports = sorted(path for path in folder.glob("*" + SUFFIX) if path.is_file())
     if not reports:
         raise OutputError(f"{folder} holds no *{SUFFIX}. Give a folder that kinsym derive has written.")
@@ -60,7 +66,7 @@ def _check_one(path: Path, screen: Screen) -> int:
         if name not in recorded:
             continue
         try:
-            there = (path.parent / name).read_bytes().decode("utf-8")
+            there = _text(path.parent / name)
         except FileNotFoundError:
             missing.append(name)
             continue
@@ -90,18 +96,16 @@ def _check_one(path: Path, screen: Screen) -> int:
 def _read(path: Path) -> tuple[Robot, dict[str, str]]:
     """The robot of a report and the digests of the files it speaks of."""
     import json
-    import tomllib
     from dataclasses import replace
 
     from kinsym.check.deviation import recalled
-    from kinsym.robot.files import from_draft
+    from kinsym.robot.files import from_draft, toml_draft
     from kinsym.robot.snapping import EXACT
 
     remedy = "Derive the robot again."
     try:
-        content: Any = json.loads(path.read_bytes().decode("utf-8"))
-        table, files = content["table"], content["files"]
-        draft = tomllib.loads("\n".join(table))
+        content: Any = json.loads(_text(path))
+        table, files = "\n".join(content["table"]), content["files"]
         recorded = {str(name): str(digest) for name, digest in files.items()}
         deviation = recalled(content.get("deviation"))
     except OSError as error:
@@ -109,7 +113,19 @@ def _read(path: Path) -> tuple[Robot, dict[str, str]]:
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise OutputError(f"{path} is no report of kinsym: {error}. {remedy}") from error
     try:
-        robot = from_draft(draft, where=f"{path}, table", snapping=EXACT)
+        where = f"{path}, table"
+        robot = from_draft(toml_draft(table, where), where=where, snapping=EXACT)
         return replace(robot, deviation=deviation), recorded
     except KinsymError as error:
         raise OutputError(f"{path} holds no usable table: {error} {remedy}") from error
+
+
+def _text(path: Path) -> str:
+    """The text of a plain file no larger than one of ours can be; a pipe would wait for ever."""
+    if path.exists() and not path.is_file():
+        raise OutputError(f"{path} is no plain file. Remove it and derive the robot again.")
+    with path.open("rb") as file:
+        data = file.read(LARGEST_FILE + 1)
+    if len(data) > LARGEST_FILE:
+        raise OutputError(f"{path} is larger than {LARGEST_FILE >> 20} MiB. Derive the robot again.")
+    return data.decode("utf-8")

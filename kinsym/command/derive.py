@@ -43,11 +43,12 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
     from kinsym.deriving import derive as derivation_of
     from kinsym.emit.program import build_schedule
     from kinsym.emit.text import equations
-    from kinsym.write import check_place, write_set
+    from kinsym.write import check_place, put_back, write_set
 
     screen.stage("reading the table")
     robot = robot_of(options)
     folder = Path(options.output if options.output is not None else robot.name)
+    put_back(folder)
     check_place(folder, [*file_names(robot.name, options.target), robot.name + SUFFIX])
     say_notes(robot, screen)
     screen.flush()

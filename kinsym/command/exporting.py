@@ -42,6 +42,6 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
     if options.output is None and target.exists():
         raise OutputError(f"{target} is there already. Name a file with --output; that one is then replaced.")
     say_notes(robot, screen)
-    paths = write_set(target.parent, {target.name: chosen.text(robot)})
+    paths = write_set(target.parent, {target.name: chosen.text(robot)}, anything=True)
     screen.say(f"Written\n-------\n  {paths[0]}")
     return 0

@@ -49,7 +49,7 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
     if options.output is None and target.exists():
         raise OutputError(f"{target} is there already. Name a file with --output; that one is then replaced.")
     say_notes(robot, screen)
-    paths = write_set(target.parent, {target.name: robot_file(robot)})
+    paths = write_set(target.parent, {target.name: robot_file(robot)}, anything=True)
     screen.say(f"Written\n-------\n  {paths[0]}")
     return 0
 

@@ -56,7 +56,7 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
         # what is asked for on standard output is no progress that --quiet keeps back
         Screen().say(text.rstrip("\n"))
         return 0
-    paths = write_set(target.parent, {target.name: text})
+    paths = write_set(target.parent, {target.name: text}, anything=True)
     screen.say(f"Written\n-------\n  {paths[0]}")
     return 0
 
@@ -109,7 +109,7 @@ def _target(options: argparse.Namespace, name: str) -> Path | None:
         raise OutputError(f"{target} is there already. Name a file with --output; that one is then replaced.")
     if not target.name:
         raise OutputError(f"{target} is a folder. Name a file with --output.")
-    check_place(target.parent, [target.name])
+    check_place(target.parent, [target.name], anything=True)
     return target
 
 

@@ -41,7 +41,7 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
     path = Path(f"{name}.toml")
     if path.exists():
         raise OutputError(f"{path} is there already and is left as it is. Give another name: kinsym new NAME.")
-    write_set(path.parent, {path.name: text})
+    write_set(path.parent, {path.name: text}, anything=True)
     screen.heading("Written")
     screen.say(f"  {path}\n\nEdit it, then: kinsym derive {path}")
     return 0

@@ -26,7 +26,7 @@ def targets(named: Sequence[str] | None, usual: Sequence[str], kinds: Sequence[s
             raise OutputError(f"{path} is no name of a file that is written here. Its ending tells what: {endings}.")
         if not named and path.exists():
             raise OutputError(f"{path} is there already. Name a file with --output; that one is then replaced.")
-        check_place(path.parent, [path.name])
+        check_place(path.parent, [path.name], anything=True)
     if len({path.absolute() for path in paths}) < len(paths):
         raise OutputError("a file is named twice. Name each once.")
     if any(kind_of(path) in PICTURES for path in paths) and importlib.util.find_spec("matplotlib") is None:
@@ -52,4 +52,6 @@ def unit_of(options: argparse.Namespace) -> str:
 def write(files: Mapping[Path, bytes]) -> None:
     """Write every file; all those of a folder or none of them."""
     for folder in dict.fromkeys(path.parent for path in files):
-        write_set(folder, {path.name: content for path, content in files.items() if path.parent == folder})
+        write_set(
+            folder, {path.name: content for path, content in files.items() if path.parent == folder}, anything=True
+        )

@@ -45,7 +45,7 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
     target = Path(f"{robot.name}.html" if options.output is None else options.output)
     if options.output is None and target.exists():
         raise OutputError(f"{target} is there already. Name a file with --output; that one is then replaced.")
-    check_place(target.parent, [target.name])
+    check_place(target.parent, [target.name], anything=True)
     say_notes(robot, screen)
     screen.flush()
     screen.stage(f"deriving {robot.name}")
@@ -60,6 +60,6 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
     report = report_of(derivation.robot, schedule, sources, findings)
     screen.stage("drawing the page")
     text = page(derivation, schedule, sources, report, shown(derivation, live_module(schedule)))
-    paths = write_set(target.parent, {target.name: text})
+    paths = write_set(target.parent, {target.name: text}, anything=True)
     screen.say(f"Written\n-------\n  {paths[0]}")
     return verdict(report, target.parent, screen)

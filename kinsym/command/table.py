@@ -12,6 +12,7 @@ from kinsym.robot.files import from_inline
 from kinsym.robot.loading import load
 from kinsym.robot.locking import lock
 from kinsym.robot.model import Robot, Task
+from kinsym.robot.names import shown
 from kinsym.robot.snapping import EXACT, ROUNDING, Snapping, snapping_of
 
 
@@ -48,12 +49,12 @@ def locks_of(texts: list[str]) -> dict[str, str | None]:
         name, equals, value = (part.strip() for part in text.partition("="))
         if not name or (equals and not value):
             raise RobotError(
-                f"{text!r} is neither JOINT nor JOINT=VALUE",
+                f"{shown(text)} is neither JOINT nor JOINT=VALUE",
                 where="--lock",
                 remedy="Write, for example, --lock theta3 (an input) or --lock theta3=pi/4.",
             )
         if name in values:
-            raise RobotError(f"{name} is locked twice", where="--lock", remedy="Lock each joint once.")
+            raise RobotError(f"{shown(name)[1:-1]} is locked twice", where="--lock", remedy="Lock each joint once.")
         values[name] = value or None
     return values
 
@@ -87,9 +88,9 @@ def bindings_of(texts: list[str]) -> dict[str, Fraction]:
         name, equals, value = (part.strip() for part in text.partition("="))
         if not (name and equals and value):
             raise RobotError(
-                f"{text!r} is not NAME=VALUE", where="--bind", remedy="Write, for example, --bind a2=0.4318."
+                f"{shown(text)} is not NAME=VALUE", where="--bind", remedy="Write, for example, --bind a2=0.4318."
             )
         if name in values:
-            raise RobotError(f"{name} is bound twice", where="--bind", remedy="Bind each parameter once.")
-        values[name] = number(value, where=f"--bind {name}")
+            raise RobotError(f"{shown(name)[1:-1]} is bound twice", where="--bind", remedy="Bind each parameter once.")
+        values[name] = number(value, where=f"--bind {shown(name)[1:-1]}")
     return values

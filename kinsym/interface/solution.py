@@ -89,7 +89,7 @@ class Solution(Displayed):
 
         return document(self.derivation)
 
-    def text(self, *, width: int = 96, full: bool = False) -> str:
+    def text(self, *, width: int = 80, full: bool = False) -> str:
         """The whole derivation as the terminal shows it; ``full`` adds link transforms and Jacobian."""
         from kinsym.emit.text import equations
 

@@ -16,7 +16,7 @@ from sympy import Expr, Rational
 from kinsym.errors import RobotError
 from kinsym.robot.expressions import names, symbol
 from kinsym.robot.model import Home, Joint, Matrix, Robot, Vector
-from kinsym.robot.names import check_parameter, nearest
+from kinsym.robot.names import check_parameter, nearest, shown
 from kinsym.robot.rows import cells_of
 
 
@@ -52,14 +52,14 @@ def bind(robot: Robot, values: Mapping[str, Fraction]) -> Robot:
         if name in robot.variables:
             raise RobotError(
                 f"{name} is a joint variable",
-                where=f"bind {name}",
+                where=f"bind {shown(name)[1:-1]}",
                 remedy="Bind parameters only; a joint is held at a value by a lock (--lock).",
             )
         if name not in robot.parameters:
             has = ", ".join(robot.parameters) or "none"
             raise RobotError(
-                f"{robot.name} has no parameter {name}",
-                where=f"bind {name}",
+                f"{robot.name} has no parameter {shown(name)[1:-1]}",
+                where=f"bind {shown(name)[1:-1]}",
                 remedy=f"{nearest(name, robot.parameters)}Its parameters: {has}.",
             )
     numbers = {symbol(name): Rational(value.numerator, value.denominator) for name, value in values.items()}

@@ -32,6 +32,9 @@ KEYS = (
     "source",
 )
 LONGEST_LINE = 500
+# tomllib takes time and memory by the square of the parts of a dotted key. No more dots than these stand on one line
+# of a table with a full title.
+MOST_DOTS = 2 * LONGEST_LINE
 
 _NO_BINDINGS: Mapping[str, Fraction] = {}
 
@@ -133,6 +136,12 @@ def _decimal(text: str) -> Decimal:
 
 
 def toml_draft(text: str, where: str) -> dict[str, object]:
+    """The mapping that a TOML text holds, decimals as they are written. Raises RobotError with line and column."""
+    for i, line in enumerate(text.split("\n"), start=1):
+        if line.count(".") > MOST_DOTS:
+            raise RobotError(
+                f"the line has more than {MOST_DOTS} dots", where=f"{where}, line {i}", remedy="Part it into lines."
+            )
     try:
         return tomllib.loads(text, parse_float=_decimal)
     except RecursionError:

@@ -17,6 +17,8 @@ from collections.abc import Iterable
 from kinsym.errors import RobotError
 
 LONGEST_NAME = 40
+# A hint takes time by the number of names and the square of their length; files of others can hold thousands.
+LONGEST_COMPARED, MOST_COMPARED = 60, 1000
 
 _C_KEYWORDS = frozenset(
     """auto break case char const continue default do double else enum extern float for goto if inline int long
@@ -72,7 +74,10 @@ def nearest(name: str, candidates: Iterable[str]) -> str:
     >>> nearest("alhpa", ["alpha", "a", "d", "theta"])
     'Did you mean alpha? '
     """
-    found = difflib.get_close_matches(name, sorted(set(candidates)), n=1, cutoff=0.5)
+    if len(name) > LONGEST_COMPARED:
+        return ""
+    near = sorted({other for other in candidates if len(other) <= LONGEST_COMPARED})[:MOST_COMPARED]
+    found = difflib.get_close_matches(name, near, n=1, cutoff=0.5)
     return f"Did you mean {found[0]}? " if found else ""
 
 

@@ -125,6 +125,9 @@ def schedule() -> Schedule:
 
 
 MODULE = """
+import itertools
+from typing import NamedTuple
+
 import numpy as np
 
 NAME = "hand_rr"
@@ -132,6 +135,8 @@ JOINTS = ("theta1", "theta2")
 JOINT_TYPES = ("R", "R")
 PARAMETERS = {"l1": 0.6, "l2": 0.4}
 MAX_SOLUTIONS = 2
+BRANCHES = ()
+LIMITS = ((-np.inf, np.inf), (-np.inf, np.inf))
 TAU = 2.0**-46
 
 
@@ -159,6 +164,7 @@ def jacobian(q, *, l1=0.6, l2=0.4):
 
 
 def ik_batch(T, *, reference=None, l1=0.6, l2=0.4):
+    _finite([l1, l2], "parameters")
     T = np.asarray(T, dtype=float)
     if T.shape[-2:] != (4, 4):
         raise ValueError("shape")
@@ -194,20 +200,63 @@ def ik(T, *, reference=None, l1=0.6, l2=0.4):
     return q[valid]
 
 
-class Solved:
-    def __init__(self, status):
-        self.status = status
+class Solved(NamedTuple):
+    q: np.ndarray
+    branch: np.ndarray
+    free: np.ndarray
+    border: np.ndarray
+    family: np.ndarray
+    status: str
+
+
+def _finite(values, what):
+    if not np.isfinite(values).all():
+        raise ValueError(f"{what} must be finite")
+    return np.asarray(values, dtype=float)
 
 
 def solve(T, *, reference=None, l1=0.6, l2=0.4):
+    _finite([l1, l2], "parameters")
+    _finite(np.zeros(2) if reference is None else reference, "a reference")
+    none = np.zeros((0, 2), dtype=bool)
     try:
-        return Solved("solved" if len(ik(T, l1=l1, l2=l2)) else "unreachable")
+        q, valid = ik_batch(T, l1=l1, l2=l2)
     except ValueError:
-        return Solved("not a pose")
+        return Solved(np.zeros((0, 2)), np.zeros(0, dtype=int), none, none, none, "not a pose")
+    free = np.zeros((valid.sum(), 2), dtype=bool)
+    border = free | (valid.sum() == 1) & np.array([False, True])
+    status = "solved" if len(free) == 2 else "singular" if len(free) else "unreachable"
+    return Solved(q[valid], np.flatnonzero(valid), free, border, free, status)
 
 
-def nearest(T, reference, *, weights, limits, l1=0.6, l2=0.4):
-    way = ik(T, l1=l1, l2=l2) - reference
-    way = way - 2 * np.pi * np.round(way / (2 * np.pi))
-    return reference + way[np.argmin((weights * way * way).sum(axis=1))] if len(way) else None
+def _inside(found, limits, most):
+    limits = np.asarray(LIMITS if limits is None else limits, dtype=float)
+    low, high = limits.T
+    if not ((low <= high) & (low < np.inf) & (high > -np.inf)).all():
+        raise ValueError("the limits must be intervals")
+    wound = [
+        q + 2 * np.pi * np.array(turns)
+        for q in found
+        for turns in itertools.product(*(range(-m, m + 1) for m in np.broadcast_to(most(limits), 2)))
+    ]
+    wound = np.array(wound).reshape(-1, 2)
+    return wound[((wound >= low) & (wound <= high)).all(axis=1)]
+
+
+def within(T, *, limits=None, reference=None, l1=0.6, l2=0.4):
+    found = solve(T, reference=reference, l1=l1, l2=l2)
+    wound = _inside(found.q, limits, lambda ends: np.where(np.isfinite(ends).all(axis=1), 3, 0))
+    return found._replace(q=wound)
+
+
+def nearest(T, reference, *, weights=None, limits=None, l1=0.6, l2=0.4):
+    found = solve(T, reference=reference, l1=l1, l2=l2)
+    if found.status == "not a pose":
+        raise ValueError("T is no rigid motion")
+    weights = _finite(np.ones(2) if weights is None else weights, "weights")
+    if (weights < 0).any():
+        raise ValueError("a weight must not be negative")
+    wound = _inside(found.q, limits, lambda ends: 3)
+    way = wound - reference
+    return wound[np.argmin((weights * way * way).sum(axis=1))] if len(way) else None
 """

@@ -7,6 +7,7 @@ import pytest
 from kinsym.check import examination as laws
 from kinsym.check.compare import compare
 from kinsym.check.control import NEAREST_LAW, STATUS_LAW
+from kinsym.check.interface import DEFAULT_LAW, INPUT_LAW, INSIDE_LAW, MARK_LAW, TABLE_LAW, WITHIN_LAW
 from kinsym.check.report import FAILED, at_most
 from kinsym.check.sources import IMPORT
 from tests.check import hand
@@ -52,7 +53,21 @@ FAULTS = {
         laws.FORWARD_LAW,
     ),
     "nearest is the farthest": ("np.argmin((weights", "np.argmax((weights", NEAREST_LAW),
-    "a status that is wrong": ('"solved" if len(', '"solved" if not len(', STATUS_LAW),
+    "a status that is wrong": ('"solved" if len(free) == 2', '"unreachable" if len(free) == 2', STATUS_LAW),
+    "a border that is not told": ("(valid.sum() == 1) &", "(valid.sum() == 7) &", MARK_LAW),
+    "branches from one": ("np.flatnonzero(valid)", "np.flatnonzero(valid) + 1", MARK_LAW),
+    "a turn too few": (".all(axis=1), 3, 0)", ".all(axis=1), 0, 0)", WITHIN_LAW),
+    "wound without an end": (".all(axis=1), 3, 0)", ".all(axis=1), 3, 1)", WITHIN_LAW),
+    "the nearest outside": (
+        "_inside(found.q, limits, lambda ends: 3)",
+        "_inside(found.q, None, lambda ends: 3)",
+        INSIDE_LAW,
+    ),
+    "limits of another table": ("LIMITS = ((-np.inf,", "LIMITS = ((-3.0,", TABLE_LAW),
+    "another default": ("def jacobian(q, *, l1=0.6, l2=0.4)", "def jacobian(q, *, l1=0.61, l2=0.4)", DEFAULT_LAW),
+    "limits taken as they are": ("(low <= high) & ", "", INPUT_LAW),
+    "a weight below zero": ("(weights < 0).any()", "False", INPUT_LAW),
+    "a reference that is no number": ('reference, "a reference")', '1.0, "a reference")', INPUT_LAW),
     "no Python": ("import numpy as np", "import numpy as", IMPORT),
     "wrong names": ('JOINTS = ("theta1", "theta2")', 'JOINTS = ("theta2", "theta1")', IMPORT),
 }

@@ -207,3 +207,20 @@ def test_rows_of_a_batch_belong_together() -> None:
     for references, values in ((np.zeros((2, 7)), np.zeros((3, 1))), (None, np.zeros((2, 1))), (None, None)):
         with pytest.raises(ValueError, match=r"one for each pose|must have the shape"):
             core.ik_batch(poses, references, values, *lengths)
+
+
+def test_parameters_that_must_not_vanish_are_refused() -> None:
+    """Every function names them, and none says that the pose is out of reach or none."""
+    package, module, *_ = pair("scara")
+    given: dict[str, float] = dict.fromkeys(package.PARAMETERS, 0.3)
+    q = np.array([0.1, 0.2, 0.3, 0.4])
+    T = package.fk(q, **given)
+    for name in ("a1", "a2"):
+        broken = {**given, name: 0.0}
+        for one in (package, module):
+            assert one.fk(q, **broken).shape == (4, 4)
+            for call in (one.ik, one.ik_batch, one.solve, one.within):
+                with pytest.raises(ValueError, match=f"{name}.*vanish|vanishes.*{name}"):
+                    call(T, **broken)
+            with pytest.raises(ValueError, match=f"{name}.*vanish|vanishes.*{name}"):
+                one.nearest(T, q, **broken)

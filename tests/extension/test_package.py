@@ -24,7 +24,7 @@ from kinsym.robot import load
 from tests.extension.built import derivation
 
 PLANAR = "planar_rr"
-README = (Path(__file__).resolve().parents[2] / "README.md").read_text(encoding="utf-8")
+PAGE = (Path(__file__).resolve().parents[2] / "docs" / "solvers.md").read_text(encoding="utf-8")
 
 
 def installed(folder: Path, target: Path) -> None:
@@ -38,10 +38,10 @@ def installed(folder: Path, target: Path) -> None:
 
 
 def test_pip_installs_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The commands of the README: derive, ``pip install``, import and solve. One wheel for every CPython; typed."""
+    """The commands of docs/solvers.md: derive, ``pip install``, import, solve. One wheel for every CPython; typed."""
     monkeypatch.chdir(tmp_path)
-    (commands,) = (block for block in README.split("```console\n") if "pip install ./" in block)
-    first, second, third = (shlex.split(line) for line in commands.split("```")[0].splitlines())
+    (commands,) = (block for block in PAGE.split("```console\n") if "pip install ./" in block)
+    first, second, third = (shlex.split(line.removeprefix("$ ")) for line in commands.split("```")[0].splitlines())
     assert main([*first[1:], "--no-check", "--quiet"]) == 0
     installed(Path(second[-1]), tmp_path / "site")
     names = {path.name for path in (tmp_path / "site" / "ur5").iterdir() if path.is_file()}

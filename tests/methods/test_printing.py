@@ -118,7 +118,7 @@ def test_show_one_method(capsys: pytest.CaptureFixture[str]) -> None:
     ("arguments", "status", "message"),
     [
         (("ur5", "--method", "pieper"), 1, "axes 4 and 6 miss by d5"),
-        (("ur5", "--method", "euclid"), 2, "invalid choice"),
+        (("ur5", "--method", "euclid"), 2, "--method: 'euclid' is none of loop_closure, craig"),
         (("ur5", "--method", "paul", "--full"), 2, "belong to the usual derivation"),
         (("ur5", "--method", "paul", "--deadline", "1"), 2, "belong to the usual derivation"),
     ],

@@ -93,26 +93,6 @@ def test_branches(kinsym: Run) -> None:
     assert kinsym.out.count("theta3 = 30.00 deg") == 8
 
 
-def test_the_picture_of_the_readme(kinsym: Run) -> None:
-    """The committed picture is what the command written beside it draws."""
-    readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    (command,) = re.findall(r"kinsym (plot .*-o docs/images/ur5_branches\.svg)", readme)
-    words = [word.strip('"') for word in re.findall(r'"[^"]*"|\S+', command)]
-    assert kinsym(*words) == 0
-    committed, drawn = (Path(folder, words[-1]).read_text() for folder in (ROOT, "."))
-    # Letters may differ by a hair from one matplotlib to the next; what is written and where the arms are may not.
-    assert re.findall("<!-- (.*) -->", drawn) == re.findall("<!-- (.*) -->", committed)
-    for before, after in zip(facets(committed), facets(drawn), strict=True):
-        assert np.allclose(before, after, atol=0.01)
-    assert len(committed) < 350_000
-
-
-def facets(svg: str) -> list[list[float]]:
-    """The corners of all facets of the arms."""
-    (bodies,) = re.findall(r'<g id="bodies">(.*?)</g>', svg, re.DOTALL)
-    return [[float(number) for number in re.findall(r"-?[\d.]+", path)] for path in re.findall(r'd="([^"]*)"', bodies)]
-
-
 def test_a_workspace_and_its_files(kinsym: Run) -> None:
     assert kinsym("workspace", "planar_rr", *BIND, "--points", "15", "--unit", "m") == 0
     assert sorted(os.listdir()) == ["planar_rr_workspace.npz", "planar_rr_workspace.svg"]

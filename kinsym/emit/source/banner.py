@@ -33,6 +33,15 @@ def c_comment(text: str) -> str:
     return f"{text}." if text.endswith("\\") else text
 
 
+def markdown(text: str) -> str:
+    r"""Text on one line of Markdown that makes no link, no HTML, no code and no emphasis.
+
+    >>> markdown("a <b> of_it [x](y)")
+    'a \\<b\\> of\\_it \\[x\\](y)'
+    """
+    return "".join(f"\\{letter}" if letter in "\\`*_[]<>&~#|!$" else letter for letter in printable(text))
+
+
 def python_comment(text: str) -> str:
     """Text for a line that begins with #: it only has to stay on the line.
 

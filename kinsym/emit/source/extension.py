@@ -13,7 +13,7 @@ from kinsym import __version__
 from kinsym.emit.environment import render
 from kinsym.emit.printer import decimal
 from kinsym.emit.schedule import Schedule
-from kinsym.emit.source.banner import banner, c_comment, printable, python_docstring, python_string
+from kinsym.emit.source.banner import banner, c_comment, markdown, printable, python_docstring, python_string
 from kinsym.emit.source.c_source import c_source
 from kinsym.emit.source.control import control_names, python_limits
 from kinsym.emit.source.numpy_source import constants
@@ -75,6 +75,7 @@ def _names(schedule: Schedule) -> dict[str, Any]:
         "name": schedule.name,
         "macro": schedule.name.upper(),
         "title": c_comment(schedule.title or schedule.name),
+        "heading": markdown(schedule.title or schedule.name),
         "version": __version__,
         "description": _toml_string(f"Kinematics of {schedule.title or schedule.name}"),
         "banner": [python_docstring(line) for line in banner(schedule, shared=True)],
@@ -97,8 +98,15 @@ def _names(schedule: Schedule) -> dict[str, Any]:
         "POSE": "T: ArrayLike",
         "FLOATS": _FLOATS,
         "BATCH": f"tuple[{_FLOATS}, NDArray[np.bool_]]",
+        "vanishing": _vanishing(schedule),
         **_example(schedule),
     }
+
+
+def _vanishing(schedule: Schedule) -> str:
+    """What is said of parameters with which something vanishes that must not, as a string of C."""
+    names = ", ".join(dict.fromkeys(name for item in schedule.nonzero for name in item.parameters))
+    return f'"a parameter vanishes that the equations take for granted, one of: {names}"'
 
 
 def _head(name: str, positional: list[str], keywords: list[str], result: str) -> str:

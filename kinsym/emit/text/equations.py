@@ -272,7 +272,7 @@ def solutions(derivation: Derivation, plan: Plan, page: Page | None = None) -> s
     return "\n".join(lines)
 
 
-def equations(derivation: Derivation, *, width: int = 96, ascii: bool = False, full: bool = False) -> str:
+def equations(derivation: Derivation, *, width: int = 80, ascii: bool = False, full: bool = False) -> str:
     """Everything a reader wants to see of a derivation, in the order of the lecture.
 
     ``full`` adds the link transforms and the Jacobian; ``ascii`` writes ``+-`` for ``±``.

@@ -12,7 +12,7 @@ _CONTINUED = 4
 """How far the further lines of a long left side are moved in."""
 
 
-def method_text(derivation: MethodDerivation, *, width: int = 96, ascii: bool = False) -> str:
+def method_text(derivation: MethodDerivation, *, width: int = 80, ascii: bool = False) -> str:
     """The whole derivation; ``ascii`` writes ``+-`` for ``±``."""
     page = Page(width=width, ascii=ascii)
     title = f"{derivation.title}: {derivation.robot}"

@@ -15,7 +15,7 @@ from kinsym.emit.text.formula import TextPrinter
 class Page:
     """How wide and in which letters to write."""
 
-    width: int = 96
+    width: int = 80
     ascii: bool = False
 
     @property

@@ -1,0 +1,202 @@
+"""What a controller can call, with one face for both languages: solutions with their marks, windings, the nearest.
+
+A call that is refused returns the word for what was wrong: "not a pose", "parameter", "reference", "limit", "weight".
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple, Protocol
+
+import numpy as np
+
+from kinsym.check.solvers import CSolver, Floats, NumpySolver
+
+NOT_A_POSE = "not a pose"
+PARAMETER, REFERENCE, LIMIT, WEIGHT = "parameter", "reference", "limit", "weight"
+_REFUSALS = {-1: NOT_A_POSE, -2: PARAMETER, -3: REFERENCE, -4: LIMIT, -5: WEIGHT}
+_WORDS = {"rigid motion": NOT_A_POSE, "reference": REFERENCE, "limits": LIMIT, "weight": WEIGHT}
+_STATUS = {0: "unreachable", 1: "solved", 2: "singular"}
+
+#: More windings than the limits of the checks leave.
+_ROOM = 4096
+
+
+class Marked(NamedTuple):
+    """Solutions (m, n), their branches (m,), masks (m, n) of free joints, of border joints and of families."""
+
+    q: Floats
+    branch: Any
+    free: Any
+    border: Any
+    family: Any
+    status: str
+
+
+class Calls(Protocol):
+    """The calls; ``None`` stands for what a caller leaves out, parameters are those of the solver if None."""
+
+    def solve(self, pose: Floats, reference: Floats | None, parameters: Mapping[str, float] | None = None) -> Any:
+        """Marked solutions of one pose (4, 4), or why it is refused."""
+
+    def within(self, pose: Floats, reference: Floats | None, limits: Floats | None) -> Any:
+        """The joint vectors (w, n) inside limits (n, 2), or why the call is refused."""
+
+    def nearest(self, pose: Floats, reference: Floats | None, weights: Floats | None, limits: Floats | None) -> Any:
+        """The nearest joint vector (n,), None if there is none, or why the call is refused."""
+
+    def refusing(self, pose: Floats, q: Floats, parameters: Mapping[str, float]) -> dict[str, bool]:
+        """Which functions of one pose refuse parameters that no solver is for; also those for many poses."""
+
+    def tables(self) -> dict[str, Any]:
+        """Names of branches, limits and the values of parameters, where the language holds them."""
+
+
+def calls_of(target: NumpySolver | CSolver) -> Calls:
+    """The calls of a language."""
+    return _CCalls(target) if isinstance(target, CSolver) else _NumpyCalls(target)
+
+
+class _NumpyCalls:
+    def __init__(self, target: NumpySolver) -> None:
+        self._target, self._module = target, target.module
+
+    def solve(self, pose: Floats, reference: Floats | None, parameters: Mapping[str, float] | None = None) -> Any:
+        given = {**self._given(reference), **(parameters or {})}
+        try:
+            found = self._module.solve(pose, reference=reference, **given)
+        except ValueError as error:
+            return _word(error)
+        return NOT_A_POSE if found.status == NOT_A_POSE else Marked(*found)
+
+    def within(self, pose: Floats, reference: Floats | None, limits: Floats | None) -> Any:
+        try:
+            found = self._module.within(pose, reference=reference, limits=limits, **self._given(reference))
+        except ValueError as error:
+            return _word(error)
+        return NOT_A_POSE if found.status == NOT_A_POSE else np.asarray(found.q, dtype=np.float64)
+
+    def nearest(self, pose: Floats, reference: Floats | None, weights: Floats | None, limits: Floats | None) -> Any:
+        try:
+            return self._module.nearest(pose, reference, weights=weights, limits=limits, **self._given(reference))
+        except ValueError as error:
+            return _word(error)
+
+    def refusing(self, pose: Floats, q: Floats, parameters: Mapping[str, float]) -> dict[str, bool]:
+        given = {**self._target.given(q), **parameters}
+        module = self._module
+        every = {"ik": module.ik, "ik_batch": module.ik_batch, "solve": module.solve, "within": module.within}
+        told = {name: self._refuses(call, pose, **given) for name, call in every.items()}
+        return {**told, "nearest": self._refuses(module.nearest, pose, q, **given)}
+
+    def _refuses(self, call: Callable[..., Any], *arguments: Any, **given: Any) -> bool:
+        try:
+            call(*arguments, **given)
+        except ValueError as error:
+            return _word(error) == PARAMETER
+        return False
+
+    def tables(self) -> dict[str, Any]:
+        module = self._module
+        branches = tuple(getattr(module, "BRANCHES", ()))
+        return {"branches": branches, "limits": np.array(module.LIMITS), "parameters": dict(module.PARAMETERS)}
+
+    def _given(self, reference: Floats | None) -> dict[str, Any]:
+        return dict(self._target.parameters) if reference is None else self._target.given(np.asarray(reference))
+
+
+def _word(error: ValueError) -> str:
+    return next((word for text, word in _WORDS.items() if text in str(error)), PARAMETER)
+
+
+class _CCalls:
+    def __init__(self, target: CSolver) -> None:
+        self._target, self._name = target, target.schedule.name
+        self._n, self._most = len(target.schedule.joints), target.schedule.maximum
+
+    def solve(self, pose: Floats, reference: Floats | None, parameters: Mapping[str, float] | None = None) -> Any:
+        if reference is not None:
+            self._target.give(reference)
+        given = self._with(parameters or {})
+        q, marks = np.empty((self._most, self._n)), np.zeros((self._most, 3), dtype=np.uint32)
+        # two ints, then the doubles of every solution, then the three numbers of every mark
+        out = np.zeros(8 + q.nbytes + marks.nbytes + 8, dtype=np.uint8)
+        status = self._call("solve", pose, given, reference, out)
+        if status < 0:
+            return _REFUSALS.get(status, str(status))
+        count = int(out[4:8].view(np.int32)[0])
+        found = out[8 : 8 + q.nbytes].view(np.float64).reshape(q.shape)[:count]
+        marks = out[8 + q.nbytes : 8 + q.nbytes + marks.nbytes].view(np.uint32).reshape(marks.shape)[:count]
+        branch, free, border = marks.T
+        family = np.array([self._call("family", int(bits)) for bits in free], dtype=np.uint32)
+        free, border, family = (
+            (bits[:, None] >> np.arange(self._n, dtype=np.uint32)) & 1 != 0 for bits in (free, border, family)
+        )
+        return Marked(found, branch.astype(np.intp), free, border, family, _STATUS.get(status, str(status)))
+
+    def within(self, pose: Floats, reference: Floats | None, limits: Floats | None) -> Any:
+        if reference is not None:
+            self._target.give(reference)
+        low, high = _ends(limits)
+        q, marks = np.full((_ROOM, self._n), np.nan), np.zeros((_ROOM, 3), dtype=np.uint32)
+        arguments = (pose, self._target.given, reference, low, high)
+        count = self._call("within", *arguments, _ROOM, q, marks)
+        if count < 0:
+            return _REFUSALS.get(count, str(count))
+        # with less room the same number is told, and what fits is written
+        few = np.full((_ROOM, self._n), np.nan)
+        told, room = self._call("within", *arguments, count // 2, few, marks), count // 2
+        fits = told == count and np.array_equal(few[:room], q[:room]) and bool(np.isnan(few[room:]).all())
+        return q[:count] if fits else "another answer with less room"
+
+    def nearest(self, pose: Floats, reference: Floats | None, weights: Floats | None, limits: Floats | None) -> Any:
+        if reference is not None:
+            self._target.give(reference)
+        q = np.full(self._n, np.nan)
+        arguments = (pose, self._target.given, reference, weights, *_ends(limits))
+        status = self._call("nearest", *arguments, q)
+        return _REFUSALS.get(status, str(status)) if status < 0 else None if status == 0 else q
+
+    def refusing(self, pose: Floats, q: Floats, parameters: Mapping[str, float]) -> dict[str, bool]:
+        self._target.give(q)
+        given, found, counts = self._with(parameters), np.empty((self._most, self._n)), np.zeros(1, dtype=np.intc)
+        values = [None] * len(self._target.schedule.inputs)
+        told = {
+            "ik": self._call("ik", pose, given, found),
+            "ik_batch": self._call("ik_batch", pose, 1, given, None, *values, found, counts),
+            "within": self._call("within", pose, given, q, None, None, 0, None, None),
+            "nearest": self._call("nearest", pose, given, q, None, None, None, found),
+        }
+        refused = {name: _REFUSALS.get(status) == PARAMETER for name, status in told.items()}
+        return {**refused, "solve": self.solve(pose, q, parameters) == PARAMETER}
+
+    def _with(self, parameters: Mapping[str, float]) -> Any:
+        """The struct of parameters with some of them changed."""
+        given = type(self._target.given)(*self._target.given)
+        for place, parameter in enumerate(self._target.schedule.parameters):
+            given[place] = parameters.get(parameter.name, given[place])
+        return given
+
+    def tables(self) -> dict[str, Any]:
+        library = self._target.library
+        names: tuple[str, ...] = ()
+        if self._target.schedule.branches:
+            held = (ctypes.c_char_p * self._most).in_dll(library, f"{self._name}_branches")
+            names = tuple((name or b"").decode() for name in held)
+        ends = [np.array((ctypes.c_double * self._n).in_dll(library, f"{self._name}_{end}")) for end in _ENDS]
+        return {"branches": names, "limits": np.stack(ends, axis=1)}
+
+    def _call(self, name: str, *arguments: Any) -> int:
+        """A function by its name; arrays are handed over where they lie, None as NULL."""
+        function = getattr(self._target.library, f"{self._name}_{name}")
+        held = [np.ascontiguousarray(each) if isinstance(each, np.ndarray) else each for each in arguments]
+        handed = [ctypes.c_void_p(each.ctypes.data) if isinstance(each, np.ndarray) else each for each in held]
+        return int(function(*handed))
+
+
+_ENDS = ("lower", "upper")
+
+
+def _ends(limits: Floats | None) -> Sequence[Floats | None]:
+    return (None, None) if limits is None else tuple(np.ascontiguousarray(end) for end in np.asarray(limits).T)

@@ -1,0 +1,1 @@
+"""Robot files made up by a fuzzer that sees which lines of kinsym they reach."""

@@ -1,0 +1,61 @@
+"""What a mutant is, whatever it is made of."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+SIGN = "sign flipped"
+TRIG = "sine and cosine swapped"
+BRANCH = "branch dropped"
+CONSTANT = "constant changed by 1e-6"
+PARAMETER = "parameters swapped"
+GUARD = "guard removed"
+KINDS = (SIGN, TRIG, BRANCH, CONSTANT, PARAMETER, GUARD)
+
+#: By how much a constant is changed, and what 0 becomes.
+CHANGE = 1e-6
+
+
+@dataclass(frozen=True, kw_only=True)
+class Mutant:
+    """One change: its kind, where it is, what stood there and what stands there now.
+
+    ``make`` gives the changed text, or the changed schedule of a plan.
+    """
+
+    language: str
+    kind: str
+    where: str
+    before: str
+    after: str
+    make: Callable[[], Any]
+
+    def __str__(self) -> str:
+        return f"{self.language}, {self.where}: {self.kind}: {self.before} -> {self.after}"
+
+
+def changed(text: str, start: int, end: int, new: str) -> str:
+    """A text with one part exchanged."""
+    return text[:start] + new + text[end:]
+
+
+def nudged(number: float) -> float:
+    """The constant that takes the place of another."""
+    return number * (1.0 + CHANGE) if number else CHANGE
+
+
+def other(name: str, names: tuple[str, ...]) -> str | None:
+    """The name after a name in a ring of names; None if it is none of them or the only one."""
+    if name not in names or len(names) == 1:
+        return None
+    return names[(names.index(name) + 1) % len(names)]
+
+
+def turned(name: str) -> str | None:
+    """The cosine of a sine and the sine of a cosine by their names (c1, s23, c2m3, c, s); None for other names."""
+    letter, rest = name[:1], name[1:]
+    if letter not in ("c", "s") or not all(sign.isdigit() or sign == "m" for sign in rest) or rest.startswith("m"):
+        return None
+    return ("s" if letter == "c" else "c") + rest

@@ -1,0 +1,1 @@
+"""A million poses a robot, most of them next to singular ones and at borders: ``python -m tests.stress``."""

@@ -1,0 +1,1 @@
+"""The same bytes under every supported version of Python and of the libraries."""
