@@ -24,6 +24,7 @@ from kinsym.robot import from_inline, load, lock
 from kinsym.robot.expressions import parse
 from kinsym.robot.model import Task
 from tests.arms import NAMES, derivation
+from tests.kinematics.determinants import square
 
 WRITE = TextPrinter()
 
@@ -81,21 +82,9 @@ KNOWN = {
 }
 
 
-ROWS = {Task.PLANAR: (0, 1, 5), Task.SCARA: (0, 1, 2, 5)}
-
-
 def value(found: SingularSet, posture: Posture) -> int | None:
     """The product of the factors at a posture, modulo the prime."""
     return residue_of(found.determinant, posture.values)
-
-
-def matrix(task: Task, posture: Posture) -> list[list[int]]:
-    """The square matrix whose determinant the factors are of."""
-    if task is Task.POSITION_AXIS:
-        about = (0, 0, 0, *posture.approach)
-        return [[*row, w] for row, w in zip(posture.jacobian(Task.POSE), about, strict=True)]
-    rows = posture.jacobian(task)
-    return [rows[k] for k in ROWS[task]] if task in ROWS else [row for row in rows if any(row)]
 
 
 @pytest.mark.parametrize("name", KNOWN)
@@ -114,7 +103,7 @@ def test_the_product_is_the_determinant(name: str) -> None:
     """Where there is one: a Jacobian that is not square has none, and the factors of some were not looked for."""
     arm = derivation(name)
     for posture in somewhere(arm.solved, 3):
-        slopes = matrix(arm.plan.task, posture)
+        slopes = square(arm.plan.task, posture)
         if arm.singular.square:
             assert determinant(slopes) == value(arm.singular, posture)
 
@@ -148,7 +137,7 @@ def test_position_and_axis_has_a_square_jacobian() -> None:
     found = singular_set(chain, Task.POSITION_AXIS)
     assert WRITE(found.determinant) == "-a2*s5*(d4*c3 - a3*s3)*(a2*c2 + a3*c23 + d4*s23 + a1)"
     for posture in somewhere(chain, 3):
-        assert determinant(matrix(Task.POSITION_AXIS, posture)) == value(found, posture)
+        assert determinant(square(Task.POSITION_AXIS, posture)) == value(found, posture)
 
 
 def test_a_factor_may_count_in_one_of_its_zeros_only() -> None:
