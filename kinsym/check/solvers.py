@@ -242,13 +242,17 @@ class CSolver:
         return q[: max(0, function(pose.ctypes.data, self.given, q.ctypes.data))]
 
     def defaults(self, q: Floats) -> tuple[Floats, Floats] | None:
-        """``fk`` and ``jacobian`` of (m, n) with the table's parameters; None if the table leaves one open."""
+        """``fk`` and ``jacobian`` of (m, n) with the table's parameters; None if the table leaves one open.
+
+        A Jacobian in which no parameter stands needs none.
+        """
         given, self.given = self.given, None
         poses, slopes = self.forward(q), self.jacobian(q)
         batch, self.given = self.forward_batch(q), given
         if not np.array_equal(np.isnan(batch[:, :3]), np.isnan(poses[:, :3])):
             return poses, np.full_like(slopes, np.nan)
-        return None if np.isnan(poses[:, :3]).all() and np.isnan(slopes).all() else (poses, slopes)
+        open_ = np.isnan(slopes).all() or np.array_equal(slopes, self.jacobian(q))
+        return None if np.isnan(poses[:, :3]).all() and open_ else (poses, slopes)
 
     def forward_batch(self, q: Floats) -> Floats:
         """``NAME_fk_batch`` of joint vectors (m, n)."""
