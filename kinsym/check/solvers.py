@@ -251,8 +251,8 @@ class CSolver:
         batch, self.given = self.forward_batch(q), given
         if not np.array_equal(np.isnan(batch[:, :3]), np.isnan(poses[:, :3])):
             return poses, np.full_like(slopes, np.nan)
-        open_ = np.isnan(slopes).all() or np.array_equal(slopes, self.jacobian(q))
-        return None if np.isnan(poses[:, :3]).all() and open_ else (poses, slopes)
+        refused = np.isnan(slopes).all() or np.array_equal(slopes, self.jacobian(q))
+        return None if np.isnan(poses[:, :3]).all() and refused else (poses, slopes)
 
     def forward_batch(self, q: Floats) -> Floats:
         """``NAME_fk_batch`` of joint vectors (m, n)."""
