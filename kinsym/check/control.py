@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from kinsym.check.laws import SAME, Judge, malformed
+from kinsym.check.laws import SAME, Judge, malformed, outward
 from kinsym.check.ledger import Ledger
 from kinsym.check.poses import wrapped
 from kinsym.check.solvers import CSolver, Floats, NumpySolver, Solutions, Solver
@@ -18,6 +18,10 @@ STATUS_AGREE_LAW = "same status"
 
 #: How far the reference is from the joint vector of the pose, in radians or lengths: now and then more than a turn.
 SPREAD = 3.0
+#: So many poses lie beyond the reach, unless slides take the arm there.
+FAR = 4
+#: Of the singular poses of one choice of parameters rounding may hide so many.
+ROUNDED = 1
 #: A worse answer than the best by this share is a wrong one: nine digits are a tie.
 WORSE = 1e-6
 
@@ -60,25 +64,35 @@ def hold_status(
     *,
     poses: Floats,
     q: Floats,
+    size: float,
     uniform: NDArray[np.bool_],
     which: NDArray[np.intp],
+    singular: NDArray[np.intp],
 ) -> None:
-    """The status of each language fits its answer, and all say the same of poses that are not next to a border."""
+    """The status of each language fits its answer, and all say the same of poses that are not next to a border.
+
+    ``size`` is that of the arm; some poses are asked for far beyond it. The rows ``singular`` are exactly so.
+    """
     said: dict[str, list[str]] = {}
+    far = outward(poses[:FAR], size)
     for target in targets:
         if target.name not in answers or not isinstance(target, NumpySolver | CSolver):
             continue
         count = answers[target.name][1]
         cases = list(malformed(poses[0]).values())
         try:
+            beyond = np.flatnonzero(target.inverse(far, q[: len(far)])[1] == 0)
+            missed = [target.status(far[row], q[row]) for row in beyond]
+            special = [target.status(poses[row], q[row]) for row in singular]
             told = [target.status(poses[row], q[row]) for row in which]
             refused = [target.status(case, q[0]) for case in cases]
         except Exception as error:  # generated code that was edited may raise anything
             ledger.fail(STATUS_LAW, target.name, f"{type(error).__name__}: {error}")
             continue
         wrong = sum(bool(count[row]) == (word == "unreachable") for row, word in zip(which, told, strict=True))
-        wrong += sum(word != "not a pose" for word in refused)
-        ledger.count(STATUS_LAW, target.name, len(which) + len(cases), wrong)
+        wrong += sum(word != "not a pose" for word in refused) + sum(word != "unreachable" for word in missed)
+        wrong += max(0, sum(word != "singular" for word in special) - ROUNDED)
+        ledger.count(STATUS_LAW, target.name, len(which) + len(cases) + len(missed) + len(special), wrong)
         said[target.name] = told
     for name in list(said)[1:]:
         own, first = next(iter(said.items()))

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from kinsym.check.batch import SINGLE_LAW, SINGLE_LIMIT, hold_batch
 from kinsym.check.control import hold_nearest, hold_status
 from kinsym.check.definition import hold_definition
+from kinsym.check.edges import Edges, edges, hold_edges, hold_same_edges, hold_same_rough
 from kinsym.check.interface import Questions, hold_interface, hold_same_marks
 from kinsym.check.laws import CLOSURE, COPY, FORWARD, PATH, SAME, Judge, malformed, outward
 from kinsym.check.ledger import Ledger
@@ -34,13 +35,16 @@ from kinsym.check.poses import (
     Counts,
     generator,
     held_samples,
+    lengths_of,
     wrapped,
 )
+from kinsym.check.shapes import hold_shapes
 from kinsym.check.singular import volume_of
 from kinsym.check.singular_set import hold_singular_set
 from kinsym.check.solvers import CSolver, ExactSolver, Floats, NumpySolver, Solutions, Solver, TreeKinematics
 from kinsym.check.table import TableKinematics
 from kinsym.check.task import sifted, task_jacobian
+from kinsym.check.vanishing import Special, hold_special, special_values
 from kinsym.emit.schedule import Schedule
 from kinsym.robot.model import Robot, Task
 
@@ -53,6 +57,11 @@ FAR_POSES = 12
 NOISE_POSES = 60
 SET_POSES = 40
 MARKED_POSES, SPECIAL_POSES = 12, 36
+#: A closed form must call a pose singular where the least singular value is so small a share of the largest, and the
+#: next one so large that rounding is seldom made larger than the tolerance on its way to the step that finds it.
+LAST_DIGITS, FIRM = 3e-15, 0.02
+#: The sequence of random numbers for special values of the parameters.
+SPECIAL_VALUES = 2000
 
 #: Nearer to a singular pose than this, double roots merge (within 2 sqrt(2 tau)) and angles are soft.
 MERGED = 1e-6
@@ -70,6 +79,8 @@ MISSED = 100
 ORDINARY = 1e-12
 
 NOISE = 1e-9
+#: Known to so few digits nearly every root is made sure of.
+ROUGH, ROUGH_POSES = 2e-7, 24
 #: Solutions whose volume is below this share of the usual one may be points of a curve of solutions.
 REGULAR = 1e-3
 
@@ -106,7 +117,7 @@ class Examination:
         ledger: Ledger,
     ) -> None:
         self.schedule, self.ledger, self.targets, self.counts = schedule, ledger, targets, counts
-        self.parameters = parameters
+        self.robot, self.number, self.parameters = robot, number, parameters
         self.rng = generator(schedule.digest, number)
         self.table = TableKinematics(robot, parameters)
         self.kinematics = TreeKinematics(schedule, parameters)
@@ -125,10 +136,15 @@ class Examination:
         #: Those that the exact walk sees, which is slow.
         self.some = self.every[:: max(1, len(self.every) // counts.exact)]
         self._slopes = self.rng.permutation(len(self.q))[:JACOBIAN_POSES]
-        self._noisy_poses = self._noisy()
+        self._noisy_poses = self._noisy(self.poses[:NOISE_POSES], NOISE)
+        self._rough_poses = self._noisy(self.poses[:ROUGH_POSES], ROUGH)
         self._rows = self.rng.permutation(len(self.q))[:TABLE_POSES]
         #: What each target says of the poses in :attr:`_questions`.
         self._marks: dict[str, list[Any]] = {}
+        #: Each target's answers to the poses in :attr:`_edges`.
+        self._beside: dict[str, Solutions] = {}
+        #: Each target's answers to the poses in :attr:`_rough_poses`.
+        self._rough: dict[str, Solutions] = {}
 
     def run(self) -> None:
         """Every law on every target."""
@@ -164,6 +180,8 @@ class Examination:
             if isinstance(target, NumpySolver):
                 self._single(target, some[:SINGLE_POSES])
                 self._sweep(target, some[:SINGLE_POSES])
+                general = self.schedule.general is not None
+                hold_shapes(self.ledger, target, poses=self.poses, q=self.q, general=general)
             if isinstance(target, CSolver):
                 hold_batch(self.ledger, target, self.judge, poses=self.poses, q=self.q, noisy=self._noisy_poses)
             if isinstance(target, NumpySolver | CSolver):
@@ -171,6 +189,11 @@ class Examination:
                 rng = deepcopy(self.rng)
                 hold_nearest(self.ledger, target, self.judge, poses=self.poses[some], q=self.q[some], rng=rng)
                 self._marks[target.name] = hold_interface(self.ledger, target, self._questions, rng)
+                self._beside[target.name] = hold_edges(self.ledger, target, self.judge, self._edges)
+                if not (self.schedule.general or sifted(self.schedule)):
+                    self._rough[target.name] = target.inverse(self._rough_poses, self.q[: len(self._rough_poses)])
+                if self.number == 0:
+                    hold_special(self.ledger, target, self._special)
         except Exception as error:  # generated code that was edited may raise anything
             self.ledger.fail(ERROR_LAW, target.name, f"{type(error).__name__}: {error}")
             return None
@@ -179,13 +202,27 @@ class Examination:
     def hold_agreement(self, oracle: Solutions, answers: Mapping[str, Solutions]) -> None:
         """Whether the targets' answers agree with each other and with the exact walk's."""
         uniform = self.samples.of(UNIFORM)
-        hold_status(self.ledger, self.targets, answers, poses=self.poses, q=self.q, uniform=uniform, which=self.some)
+        hold_status(
+            self.ledger,
+            self.targets,
+            answers,
+            poses=self.poses,
+            q=self.q,
+            size=self.kinematics.size,
+            uniform=uniform,
+            which=self.some,
+            singular=self._exactly,
+        )
         for name in list(answers)[1:]:
             own = next(iter(answers))
             self._agree(f"{own} and {name}", answers[own], answers[name], self.every)
             if own in self._marks and name in self._marks:
                 plain = self._questions.plain
                 hold_same_marks(self.ledger, f"{own} and {name}", self._marks[own], self._marks[name], plain)
+            if own in self._beside and name in self._beside:
+                hold_same_edges(self.ledger, f"{own} and {name}", self._beside[own], self._beside[name])
+            if own in self._rough and name in self._rough:
+                hold_same_rough(self.ledger, f"{own} and {name}", self._rough[own], self._rough[name], self.judge)
         for name, (q, count) in answers.items():
             self._agree(f"exact walk and {name}", oracle, (q[self.some], count[self.some]), self.some)
 
@@ -195,9 +232,12 @@ class Examination:
         return {kind: int(self.samples.of(kind).sum()) for kind in kinds}
 
     def _volume(self, q: Floats) -> Floats:
+        return volume_of(self._slope(q)[..., self.kinematics.free])
+
+    def _slope(self, q: Floats) -> Floats:
+        """The task's Jacobians (m, k, n) of joint vectors (m, n)."""
         pose, jacobian = self.kinematics.forward(q), self.kinematics.jacobian(q)
-        slope = task_jacobian(jacobian, pose, self.schedule.task, self.kinematics.size)
-        return volume_of(slope[..., self.kinematics.free])
+        return task_jacobian(jacobian, pose, self.schedule.task, self.kinematics.size)
 
     @cached_property
     def _questions(self) -> Questions:
@@ -209,6 +249,33 @@ class Examination:
         return Questions(
             schedule=self.schedule, judge=self.judge, poses=self.poses[rows], q=self.q[rows], plain=uniform[rows]
         )
+
+    @cached_property
+    def _edges(self) -> Edges:
+        """Poses on both sides of borders; of an arm without a closed form none."""
+        exactly = (self.samples.offset == 0.0) & (self.schedule.general is None)
+        # arms that are folded or stretched stand at quarter turns, if anywhere
+        aimed = [self.q[exactly & self.samples.of(kind)] for kind in (QUARTER, SINGULAR)]
+        return edges(self.judge, self.schedule.task, np.concatenate(aimed))
+
+    @cached_property
+    def _exactly(self) -> Rows:
+        """The samples at which the task loses one motion to the last digits; of an arm without a closed form none."""
+        aimed = np.flatnonzero(self.samples.of(SINGULAR) & (self.samples.offset == 0.0))
+        if self.schedule.general or not len(aimed):
+            return aimed[:0]
+        unit = np.where(self.judge.revolute, 1.0, self._length)[self.kinematics.free]
+        slopes = self._slope(self.q[aimed])[..., self.kinematics.free] * unit
+        height = np.linalg.svd(slopes, compute_uv=False)
+        alone = (height[:, -2:-1] > FIRM * height[:, :1]).all(axis=1)
+        return aimed[alone & (height[:, -1] <= LAST_DIGITS * height[:, 0])]
+
+    @cached_property
+    def _special(self) -> list[Special]:
+        """Poses at special values of the parameters."""
+        rng = generator(self.schedule.digest, SPECIAL_VALUES)
+        every = special_values(self.schedule, self.parameters, lengths_of(self.robot))
+        return [Special(self.schedule, values, self.q, self.judge, rng) for values in every]
 
     @property
     def _length(self) -> float:
@@ -329,9 +396,9 @@ class Examination:
         wrong = (answer[1] != wanted) | ~(self._closures(answer, far) <= CLOSURE)
         self.ledger.count(FAR_LAW, solver.name, len(far), int(wrong.sum()))
 
-    def _noisy(self) -> Floats:
-        noisy = self.poses[:NOISE_POSES].copy()
-        noisy[:, :3, :3] += self.rng.uniform(-NOISE, NOISE, (len(noisy), 3, 3))
+    def _noisy(self, poses: Floats, size: float) -> Floats:
+        noisy = poses.copy()
+        noisy[:, :3, :3] += self.rng.uniform(-size, size, (len(noisy), 3, 3))
         return noisy
 
     def _noise(self, solver: Solver, noisy: Floats) -> None:

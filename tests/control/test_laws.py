@@ -41,7 +41,9 @@ def status_failures(*solvers: Any) -> dict[str, int]:
     ledger, poses = Ledger(), numpy_solver().forward(Q)
     answers = {solver.name: solver.inverse(poses, Q) for solver in solvers}
     everywhere, which = np.ones(len(Q), dtype=bool), np.arange(len(Q))
-    hold_status(ledger, solvers, answers, poses=poses, q=Q, uniform=everywhere, which=which)
+    hold_status(
+        ledger, solvers, answers, poses=poses, q=Q, size=1.0, uniform=everywhere, which=which, singular=which[:0]
+    )
     return {check.law: check.failed for check in ledger.checks()}
 
 

@@ -17,6 +17,7 @@ from itertools import combinations
 
 import numpy as np
 
+from kinsym.check.borders import borders, moved
 from kinsym.check.examination import CLOSE_PATH, MERGED
 from kinsym.check.laws import CLOSURE, PATH, SAME, Judge
 from kinsym.check.poses import draws, generator, lengths_of, wrapped
@@ -26,7 +27,6 @@ from kinsym.check.tracing import Tracer
 from kinsym.derivation import Derivation
 from kinsym.emit.program import build_schedule
 from kinsym.emit.text.formula import TextPrinter
-from tests.stress.borders import borders, moved
 from tests.stress.library import Library
 from tests.stress.sets import Postures
 

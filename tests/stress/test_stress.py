@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
+from kinsym.check.borders import borders
 from kinsym.emit import TARGETS
 from kinsym.emit.program import build_schedule
 from tests import arms
 from tests.emit.built import needs_compiler
 from tests.reliability import HEAD, write_section
-from tests.stress.borders import borders
 from tests.stress.measure import FAULTS, INSIDE, OUTSIDE, PAIR, RANDOM, Kind, Stress
 from tests.stress.table import lines, section
 
