@@ -205,7 +205,7 @@ def test_joint_values_that_are_none(puma: LiveArm, q: Any, message: str) -> None
         (np.diag([1.0, 1.0, 1.0, 2.0]), "no pose"),
         (np.full((4, 4), np.nan), "no pose"),
         (np.eye(3), "shape"),
-        ("x", "the pose is none"),
+        ("x", "the pose is no matrix of numbers"),
     ],
 )
 def test_poses_that_are_none(puma: LiveArm, pose: Any, message: str) -> None:
