@@ -36,8 +36,10 @@ DEFAULT_POSES = 3
 EDGE = 1e-9
 #: At one in so many poses next to singular ones a band ends between two languages' roundings.
 MORE_MARKS = 100
-#: How far the settling of a solution may move a free joint from its reference.
+#: How far the settling of a solution may move a free joint from its reference; at one in so many poses, where two
+#: singularities are near, it may move it further.
 CHOSEN = 1e-4
+MORE_MOVED = 24
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,11 +75,9 @@ def hold_interface(
     calls = calls_of(target)
     found = [calls.solve(pose, q) for pose, q in zip(questions.poses, questions.q, strict=True)]
     answers = target.inverse(questions.poses, questions.q)
-    wrong = sum(
-        not _fits(marked, q[:count], reference, questions)
-        for marked, q, count, reference in zip(found, *answers, questions.q, strict=True)
-    )
-    ledger.count(MARK_LAW, target.name, len(found), wrong)
+    wrong = sum(not _fits(marked, q[:count], questions) for marked, q, count in zip(found, *answers, strict=True))
+    moved = sum(not _chosen(marked, reference, questions) for marked, reference in zip(found, questions.q, strict=True))
+    ledger.count(MARK_LAW, target.name, len(found), wrong + max(0, moved - 1 - len(found) // MORE_MOVED))
     limits = _limits(questions, rng)
     _hold_windings(ledger, target, questions, limits=limits, rng=rng)
     ledger.count(TABLE_LAW, target.name, 1, int(not _tables_hold(calls.tables(), questions.schedule)))
@@ -100,8 +100,8 @@ def _same(left: Any, right: Any) -> bool:
     return left.status == right.status and all(np.array_equal(a, b) for a, b in zip(left[1:5], right[1:5], strict=True))
 
 
-def _fits(marked: Any, q: Floats, reference: Floats, questions: Questions) -> bool:
-    """Whether marked solutions are those of ik in rising branches, their free joints where the reference has them."""
+def _fits(marked: Any, q: Floats, questions: Questions) -> bool:
+    """Whether marked solutions are those of ik in rising branches."""
     if not isinstance(marked, Marked) or marked.q.shape != q.shape:
         return False
     gaps = np.abs(wrapped(marked.q - q, questions.judge.revolute))
@@ -110,11 +110,15 @@ def _fits(marked: Any, q: Floats, reference: Floats, questions: Questions) -> bo
     special = bool(marked.free.any() or marked.border.any())
     status = "unreachable" if not len(q) else "singular" if special else "solved"
     free = bool((marked.family | ~marked.free).all())
-    # of several free joints the sum takes the reference's, one takes its own value but for what settling moves
+    return bool((gaps <= SAME).all()) and rising and inside and free and marked.status == status
+
+
+def _chosen(marked: Any, reference: Floats, questions: Questions) -> bool:
+    """Whether free joints are where the reference has them; of several that are free the sum is, not each of them."""
+    if not isinstance(marked, Marked):
+        return True
     alone = marked.free & (marked.free.sum(axis=1, keepdims=True) == 1)
-    chosen = np.abs(wrapped(marked.q - reference, questions.judge.revolute))[alone] <= CHOSEN
-    fits = rising and inside and free and bool(chosen.all())
-    return bool((gaps <= SAME).all()) and fits and marked.status == status
+    return bool((np.abs(wrapped(marked.q - reference, questions.judge.revolute))[alone] <= CHOSEN).all())
 
 
 def _limits(questions: Questions, rng: np.random.Generator) -> list[Floats | None]:

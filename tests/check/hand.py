@@ -11,7 +11,7 @@ import sympy
 
 from kinsym.algebra.tree import ONE, ZERO, Call, Num, Sym, Tree, add, mul, negated
 from kinsym.emit.schedule import Assign, JointName, Note, Parameter, Schedule, Solve, StraightLine
-from kinsym.inverse.plan import Definition, Step
+from kinsym.inverse.plan import Definition, Nonzero, Step
 from kinsym.robot.model import Convention, Joint, Robot, Task
 
 VALUES = {"l1": Fraction(3, 5), "l2": Fraction(2, 5)}
@@ -115,6 +115,7 @@ def schedule() -> Schedule:
         ),
         inverse=inverse,
         solution=("theta1", "theta2"),
+        nonzero=tuple(Nonzero(value=length, unit=1, parameters=(length.name,)) for length in (l1, l2)),
         depth=1,
         maximum=2,
         task=Task.POSITION,
@@ -164,7 +165,7 @@ def jacobian(q, *, l1=0.6, l2=0.4):
 
 
 def ik_batch(T, *, reference=None, l1=0.6, l2=0.4):
-    _finite([l1, l2], "parameters")
+    _lengths(l1, l2)
     T = np.asarray(T, dtype=float)
     if T.shape[-2:] != (4, 4):
         raise ValueError("shape")
@@ -215,8 +216,13 @@ def _finite(values, what):
     return np.asarray(values, dtype=float)
 
 
+def _lengths(l1, l2):
+    if not np.all(_finite([l1, l2], "parameters")):
+        raise ValueError("parameters must not vanish")
+
+
 def solve(T, *, reference=None, l1=0.6, l2=0.4):
-    _finite([l1, l2], "parameters")
+    _lengths(l1, l2)
     _finite(np.zeros(2) if reference is None else reference, "a reference")
     none = np.zeros((0, 2), dtype=bool)
     try:

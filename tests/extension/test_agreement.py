@@ -105,6 +105,8 @@ def test_every_law_is_kept(name: str) -> None:
     assert {check.law for check in findings.checks if check.subject == "NumPy and extension"} == {
         "same status",
         "same solutions in the same order",
+        "same branches, free and border joints",
+        "same numbers of solutions on both sides of a border",
     }
 
 

@@ -10,6 +10,7 @@ import pytest
 
 from kinsym.cli import COMMANDS, main
 from kinsym.command.completion import SHELLS, script
+from kinsym.command.derive import TARGETS
 from kinsym.command.parsing import parser_of
 from kinsym.robot import gallery
 
@@ -53,7 +54,7 @@ def completed(folder: Path, *words: str) -> list[str]:
         ("kinsym derive ur5 --targ", ["--target"]),
         ("kinsym derive ur5 --target n", ["numpy"]),
         ("kinsym derive ur5 --target = e", ["extension"]),
-        ("kinsym derive ur5 --target =", ["numpy", "c", "latex", "extension"]),
+        ("kinsym derive ur5 --target =", list(TARGETS)),
         ("kinsym explain --task pose ur10", ["ur10e"]),
         ("kinsym explain ur5 theta7", ["theta7"]),
         ("kinsym check ", ["out"]),

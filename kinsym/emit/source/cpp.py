@@ -32,4 +32,4 @@ def cpp_source(schedule: Schedule) -> dict[str, str]:
 
 def shim(schedule: Schedule) -> str:
     """C++ that gives the functions of NAME.hpp the names and arguments of the C, for the checks."""
-    return render("cpp/shim.cpp.jinja", name=schedule.name, inputs=schedule.inputs)
+    return render("cpp/shim.cpp.jinja", name=schedule.name, inputs=schedule.inputs, branches=schedule.branches)
