@@ -13,6 +13,7 @@ import subprocess
 import tomllib
 from collections.abc import Iterator
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +29,7 @@ from kinsym.emit.program import build_schedule
 from kinsym.emit.text import equations
 from kinsym.errors import RobotError
 from kinsym.robot import load
+from kinsym.robot.binding import bind
 from kinsym.robot.files import KEYS
 from tests.hostile.attacks import ATTACKS, PLACES
 
@@ -46,8 +48,8 @@ TITLES = dict(accepted())
 
 @pytest.fixture(scope="module")
 def arm() -> Derivation:
-    """A small arm; title and source are changed afterwards, which nothing of the derivation reads."""
-    return derive(load("planar_rr"))
+    """A small arm with numbers, so that every target takes it; nothing of the derivation reads title and source."""
+    return derive(bind(load("planar_rr"), {"l1": Fraction(2, 5), "l2": Fraction(3, 10)}))
 
 
 def files(arm: Derivation, title: str) -> dict[str, str]:
@@ -65,7 +67,7 @@ def skeleton(name: str, text: str) -> Any:
     match Path(name).suffix:
         case ".py" | ".pyi":
             return python(text)
-        case ".c" | ".h":
+        case ".c" | ".h" | ".hpp" | ".cpp":
             return without_comments(text)
         case ".tex":
             return re.findall(r"\\[A-Za-z]+|(?<!\\)[{}$&#^_~%]", "\n".join(known(text)))
