@@ -102,6 +102,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KinsymError as error:
         return _refused(screen, type(error).__name__, str(error), error.exit_status)
     except KeyboardInterrupt:
+        # Where a text was being executed (dataclasses make their methods so), CPython takes the interrupt for unhandled
+        # and would end with the status of the signal; the next text that is executed takes that back.
+        exec("")
         return _refused(screen, "Interrupted", "interrupted", INTERRUPTED)
     finally:
         screen.end()

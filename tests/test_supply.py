@@ -39,6 +39,7 @@ ALLOWED = {
     ("kinsym/workspace/runners.py", "multiprocessing"): "the processes of a sweep, which the user asks for",
     ("kinsym/emit/live.py", "exec"): "the module that kinsym has just generated, of names that were let through",
     ("kinsym/emit/live.py", "compile"): "the same",
+    ("kinsym/cli.py", "exec"): "an empty text, after an interrupt",
     ("kinsym/check/compiler.py", "subprocess.Popen"): "the C compiler, with a list of arguments",
     (
         "kinsym/emit/template_cache.py",
