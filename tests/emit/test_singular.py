@@ -28,7 +28,7 @@ def section(name: str, width: int = 96) -> str:
 def sources(name: str) -> dict[str, str]:
     """The generated sources by file name."""
     schedule = build_schedule(derivation(name))
-    return {file: text for target in ("numpy", "c") for file, text in TARGETS[target](schedule).items()}
+    return {file: text for target in ("numpy", "c", "extension") for file, text in TARGETS[target](schedule).items()}
 
 
 def test_the_terminal_names_the_three_singularities_of_the_puma() -> None:
