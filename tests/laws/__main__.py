@@ -1,7 +1,7 @@
 """The laws on ever new random arms: ``python -m tests.laws --minutes 10``.
 
 Laws take turns, each with a fresh seed. A law that is broken is told with the smallest arm that breaks it, which then
-belongs into ``broken_once.py``, and the command ends with status 1.
+belongs into a test of its own, and the command ends with status 1.
 """
 
 from __future__ import annotations

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import partial
 
 from tests.sabotage.mutant import (
     BRANCH,
@@ -14,10 +13,11 @@ from tests.sabotage.mutant import (
     PARAMETER,
     SIGN,
     TRIG,
+    Change,
     Mutant,
-    changed,
     nudged,
     other,
+    text_mutants,
     turned,
 )
 
@@ -51,28 +51,7 @@ class _Token:
 
 def mutants(text: str, parameters: tuple[str, ...]) -> list[Mutant]:
     """Every mutant of one C file."""
-    tokens = list(_tokens(text))
-    every = []
-    for kind, start, end, new in _changes(tokens, parameters):
-        line = text.count("\n", 0, start) + 1
-        every.append(
-            Mutant(
-                language=LANGUAGE,
-                kind=kind,
-                where=f"line {line}",
-                before=_around(text, start, end, text[start:end]),
-                after=_around(text, start, end, new),
-                make=partial(changed, text, start, end, new),
-            )
-        )
-    return every
-
-
-def _around(text: str, start: int, end: int, middle: str) -> str:
-    """A change with some of its line on both sides."""
-    left = text[text.rfind("\n", 0, start) + 1 : start].lstrip()[-32:]
-    right = text[end : text.find("\n", end)][:24]
-    return " ".join(f"{left}{middle}{right}".split())
+    return text_mutants(LANGUAGE, text, _changes(list(_tokens(text)), parameters))
 
 
 def _tokens(text: str) -> Iterator[_Token]:
@@ -95,7 +74,7 @@ def _tokens(text: str) -> Iterator[_Token]:
             yield _Token(kind, match.group(), match.start())
 
 
-def _changes(tokens: list[_Token], parameters: tuple[str, ...]) -> Iterator[tuple[str, int, int, str]]:
+def _changes(tokens: list[_Token], parameters: tuple[str, ...]) -> Iterator[Change]:
     names = {token.text for token in tokens if token.kind == "name"}
     for place, token in enumerate(tokens):
         before = tokens[place - 1] if place else _Token("sign", "", 0)
@@ -129,7 +108,7 @@ def _changes(tokens: list[_Token], parameters: tuple[str, ...]) -> Iterator[tupl
 
 def _names(
     token: _Token, before: _Token, after: _Token, names: set[str], parameters: tuple[str, ...]
-) -> Iterator[tuple[str, int, int, str]]:
+) -> Iterator[Change]:
     declared = before.text in ("double", "int", "unsigned", "struct") or after.text == "="
     wave = _WAVES.get(token.text) or turned(token.text)
     if wave in names and not declared:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 SIGN = "sign flipped"
@@ -36,9 +37,34 @@ class Mutant:
         return f"{self.language}, {self.where}: {self.kind}: {self.before} -> {self.after}"
 
 
-def changed(text: str, start: int, end: int, new: str) -> str:
-    """A text with one part exchanged."""
+Change = tuple[str, int, int, str]
+"""The kind of a change in a text, where it begins and ends, and what stands there now."""
+
+
+def text_mutants(language: str, text: str, changes: Iterable[Change]) -> list[Mutant]:
+    """The mutants of one source text."""
+    return [
+        Mutant(
+            language=language,
+            kind=kind,
+            where=f"line {text.count(chr(10), 0, start) + 1}",
+            before=_around(text, start, end, text[start:end]),
+            after=_around(text, start, end, new),
+            make=partial(_changed, text, start, end, new),
+        )
+        for kind, start, end, new in changes
+    ]
+
+
+def _changed(text: str, start: int, end: int, new: str) -> str:
     return text[:start] + new + text[end:]
+
+
+def _around(text: str, start: int, end: int, middle: str) -> str:
+    """A change with some of its line on both sides."""
+    left = text[text.rfind("\n", 0, start) + 1 : start].lstrip()[-32:]
+    right = text[end : text.find("\n", end)][:24]
+    return " ".join(f"{left}{middle}{right}".split())
 
 
 def nudged(number: float) -> float:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from functools import partial
 
 from tests.sabotage.mutant import (
     BRANCH,
@@ -13,10 +12,11 @@ from tests.sabotage.mutant import (
     PARAMETER,
     SIGN,
     TRIG,
+    Change,
     Mutant,
-    changed,
     nudged,
     other,
+    text_mutants,
     turned,
 )
 
@@ -26,30 +26,10 @@ _SIGNS = {ast.Add: ("+", "-"), ast.Sub: ("-", "+")}
 _WAVES = {"cos": "sin", "sin": "cos"}
 _LEAVES = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 
-Change = tuple[str, int, int, str]
-
 
 def mutants(text: str, parameters: tuple[str, ...]) -> list[Mutant]:
     """Every mutant of one module."""
-    every = []
-    for kind, start, end, new in _Changes(text, parameters).all():
-        every.append(
-            Mutant(
-                language=LANGUAGE,
-                kind=kind,
-                where=f"line {text.count(chr(10), 0, start) + 1}",
-                before=_around(text, start, end, text[start:end]),
-                after=_around(text, start, end, new),
-                make=partial(changed, text, start, end, new),
-            )
-        )
-    return every
-
-
-def _around(text: str, start: int, end: int, middle: str) -> str:
-    left = text[text.rfind("\n", 0, start) + 1 : start].lstrip()[-32:]
-    right = text[end : text.find("\n", end)][:24]
-    return " ".join(f"{left}{middle}{right}".split())
+    return text_mutants(LANGUAGE, text, _Changes(text, parameters).all())
 
 
 class _Changes:
