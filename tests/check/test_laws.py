@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import pytest
 
-from kinsym.check import examination as laws
+from kinsym.check.answers import AGREE_LAW, CLOSE_LAW, COPY_LAW, FOUND_LAW, INVERSE_LAW, RANGE_LAW
+from kinsym.check.batch import SINGLE_LAW
 from kinsym.check.compare import compare
 from kinsym.check.control import NEAREST_LAW, STATUS_LAW
+from kinsym.check.examination import ERROR_LAW, FORWARD_LAW, JACOBIAN_LAW
 from kinsym.check.interface import DEFAULT_LAW, INPUT_LAW, INSIDE_LAW, MARK_LAW, TABLE_LAW, WITHIN_LAW
 from kinsym.check.report import FAILED, at_most
 from kinsym.check.sources import IMPORT
+from kinsym.check.strange import FAR_LAW, REFUSE_LAW
 from tests.check import hand
 
 
@@ -29,28 +32,28 @@ def test_the_module_passes() -> None:
 
 
 FAULTS = {
-    "sign in fk": ("+ l2 * np.sin(b)\n    return", "- l2 * np.sin(b)\n    return", laws.FORWARD_LAW),
-    "sign in the Jacobian": ("= -T[..., 1, 3], T", "= T[..., 1, 3], T", laws.JACOBIAN_LAW),
-    "sign in ik": ("x * along + y * b", "x * along - y * b", laws.INVERSE_LAW),
-    "a branch lost": ("reach & ~border]", "reach & False]", laws.FOUND_LAW),
-    "order of branches": ("enumerate((1.0, -1.0))", "enumerate((-1.0, 1.0))", laws.AGREE_LAW),
-    "border not merged": ("reach & ~border]", "reach]", laws.COPY_LAW),
-    "no clamp at the border": ("reach = (f1 >= -t1) & (f2 >= -t2)", "reach = (f1 > 0) & (f2 > 0)", laws.CLOSE_LAW),
-    "band too wide": ("TAU = 2.0**-46", "TAU = 1e-9", laws.FOUND_LAW),
-    "reach not tested": ("reach = (f1 >= -t1) & (f2 >= -t2)", "reach = f1 < 1e300", laws.FAR_LAW),
-    "NaN in what is valid": ("np.where(valid[..., None], q, np.nan), valid", "q * np.nan, valid", laws.INVERSE_LAW),
+    "sign in fk": ("+ l2 * np.sin(b)\n    return", "- l2 * np.sin(b)\n    return", FORWARD_LAW),
+    "sign in the Jacobian": ("= -T[..., 1, 3], T", "= T[..., 1, 3], T", JACOBIAN_LAW),
+    "sign in ik": ("x * along + y * b", "x * along - y * b", INVERSE_LAW),
+    "a branch lost": ("reach & ~border]", "reach & False]", FOUND_LAW),
+    "order of branches": ("enumerate((1.0, -1.0))", "enumerate((-1.0, 1.0))", AGREE_LAW),
+    "border not merged": ("reach & ~border]", "reach]", COPY_LAW),
+    "no clamp at the border": ("reach = (f1 >= -t1) & (f2 >= -t2)", "reach = (f1 > 0) & (f2 > 0)", CLOSE_LAW),
+    "band too wide": ("TAU = 2.0**-46", "TAU = 1e-9", FOUND_LAW),
+    "reach not tested": ("reach = (f1 >= -t1) & (f2 >= -t2)", "reach = f1 < 1e300", FAR_LAW),
+    "NaN in what is valid": ("np.where(valid[..., None], q, np.nan), valid", "q * np.nan, valid", INVERSE_LAW),
     "angle out of range": (
         "return np.where(valid[..., None], q,",
         "return np.where(valid[..., None], q + 7,",
-        laws.RANGE_LAW,
+        RANGE_LAW,
     ),
-    "reflection answered": ("np.linalg.det(np.where(np.isfinite(R), R, 0.0)) > 0", "True", laws.REFUSE_LAW),
-    "single and batch differ": ("return q[valid]", "return q[valid][::-1]", laws.SINGLE_LAW),
-    "noise refused": ("G <= 1e-6", "G <= 1e-12", laws.ERROR_LAW),
+    "reflection answered": ("np.linalg.det(np.where(np.isfinite(R), R, 0.0)) > 0", "True", REFUSE_LAW),
+    "single and batch differ": ("return q[valid]", "return q[valid][::-1]", SINGLE_LAW),
+    "noise refused": ("G <= 1e-6", "G <= 1e-12", ERROR_LAW),
     "parameter ignored": (
         "q = np.asarray(q, dtype=float)\n",
         "q = np.asarray(q, dtype=float)\n    l1 = 0.6\n",
-        laws.FORWARD_LAW,
+        FORWARD_LAW,
     ),
     "nearest is the farthest": ("np.argmin((weights", "np.argmax((weights", NEAREST_LAW),
     "a status that is wrong": ('"solved" if len(free) == 2', '"unreachable" if len(free) == 2', STATUS_LAW),

@@ -7,7 +7,8 @@ import json
 import numpy as np
 import pytest
 
-from kinsym.check import examination as laws
+from kinsym.check.answers import FOUND_LAW, INVERSE_LAW
+from kinsym.check.batch import SWEEP_LAW
 from kinsym.check.compare import compare
 from kinsym.check.examination import Examination
 from kinsym.check.ledger import Ledger
@@ -30,7 +31,7 @@ def test_every_law_is_kept(name: str) -> None:
     findings = compare(found.robot, schedule, rendered(found, schedule, ("numpy", "c")))
     assert [check for check in findings.checks if check.status == FAILED] == []
     assert findings.figures["poses_by_kind"]["uniform"] >= 600
-    swept = [check for check in findings.checks if check.law == laws.SWEEP_LAW]
+    swept = [check for check in findings.checks if check.law == SWEEP_LAW]
     assert bool(swept) == bool(schedule.inputs)
 
 
@@ -80,12 +81,12 @@ def test_the_exact_walk_takes_locked_values_from_the_reference() -> None:
 
 
 FAULTS = {
-    "sweep not that of the values": ("q.reshape(-1, 8, 7), valid", "q.reshape(-1, 8, 7)[::-1], valid", laws.SWEEP_LAW),
-    "value not given back": ("np.add(theta3, empty,", "np.add(0.0 * theta3, empty,", laws.INVERSE_LAW),
+    "sweep not that of the values": ("q.reshape(-1, 8, 7), valid", "q.reshape(-1, 8, 7)[::-1], valid", SWEEP_LAW),
+    "value not given back": ("np.add(theta3, empty,", "np.add(0.0 * theta3, empty,", INVERSE_LAW),
     "value ignored": (
         "c3 = np.cos(theta3)\n    s3 = np.sin(theta3)\n    size",
         "c3, s3 = 1.0, 0.0\n    size",
-        laws.FOUND_LAW,
+        FOUND_LAW,
     ),
 }
 

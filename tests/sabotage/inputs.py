@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from kinsym.check.examination import MERGED
+from kinsym.check.answers import MERGED
 from kinsym.check.laws import Judge, malformed, outward
 from kinsym.check.solvers import Floats, as_float
 from kinsym.derivation import Derivation

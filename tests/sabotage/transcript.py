@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from kinsym.check.examination import CLOSE_PATH
+from kinsym.check.answers import CLOSE_PATH
 from kinsym.check.interface import MORE_MARKS
 from kinsym.check.poses import wrapped
 from kinsym.check.solvers import Floats

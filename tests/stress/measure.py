@@ -17,8 +17,8 @@ from itertools import combinations
 
 import numpy as np
 
+from kinsym.check.answers import CLOSE_PATH, MERGED
 from kinsym.check.borders import borders, moved
-from kinsym.check.examination import CLOSE_PATH, MERGED
 from kinsym.check.laws import CLOSURE, PATH, SAME, Judge
 from kinsym.check.poses import draws, generator, lengths_of, wrapped
 from kinsym.check.solvers import Floats, TreeKinematics

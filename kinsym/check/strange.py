@@ -1,0 +1,47 @@
+"""The laws of poses that no joint vector made: out of reach, with noise, or none at all."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from kinsym.check.answers import Answers
+from kinsym.check.laws import CLOSURE, malformed, outward
+from kinsym.check.ledger import Ledger
+from kinsym.check.solvers import ExactSolver, Floats, NumpySolver, Solver
+from kinsym.robot.model import Task
+
+FAR_POSES = 12
+NOISE = 1e-9
+
+REFUSE_LAW = "what is no pose is refused"
+FAR_LAW = "no solution beyond the reach"
+NOISE_LAW = "rotations known to nine digits are solved"
+
+
+def hold_refusals(ledger: Ledger, solver: Solver, pose: Floats) -> None:
+    """What is no pose is refused; ``pose`` (4, 4) is one."""
+    cases = malformed(pose)
+    if isinstance(solver, NumpySolver):
+        cases |= {"a 3x4 array": pose[:3], "a vector": pose[0], "a 3x3 array": pose[:3, :3]}
+    missed = [name for name, case in cases.items() if not solver.refuses(case)]
+    note = "answered: " + ", ".join(missed) if missed else ""
+    ledger.count(REFUSE_LAW, solver.name, len(cases), len(missed), note=note)
+
+
+def hold_far(ledger: Ledger, solver: Solver, exact: ExactSolver, answers: Answers) -> None:
+    """There is no solution beyond the reach; a slide reaches as far as the exact walk says."""
+    if answers.schedule.task is Task.ORIENTATION:
+        return
+    far = outward(answers.poses[:FAR_POSES], answers.judge.kinematics.size)
+    zeros = np.zeros((len(far), answers.samples.q.shape[1]))
+    answer = solver.inverse(far, zeros)
+    wanted = np.zeros(len(far)) if answers.judge.revolute.all() else exact.inverse(far, zeros)[1]
+    wrong = (answer[1] != wanted) | ~(answers.closures(answer, far) <= CLOSURE)
+    ledger.count(FAR_LAW, solver.name, len(far), int(wrong.sum()))
+
+
+def hold_noise(ledger: Ledger, solver: Solver, answers: Answers, noisy: Floats) -> None:
+    """Rotations (m, 4, 4) that are known to nine digits, the samples' first ones, are solved."""
+    answer = solver.inverse(noisy, answers.samples.q[: len(noisy)])
+    wrong = (answer[1] == 0) | ~(answers.closures(answer, noisy) <= 20 * NOISE)
+    ledger.count(NOISE_LAW, solver.name, len(noisy), int(wrong.sum()), limit=f"<= {20 * NOISE:g}")
