@@ -49,8 +49,6 @@ MENU = {
         "CHANGELOG.md": "Changes",
     },
 }
-MADE_BY_BENCHMARKS = ("docs/coverage.md", "docs/performance.md")
-"""Pages that are measured and may be missing."""
 
 
 @dataclass(kw_only=True)
@@ -94,7 +92,7 @@ class Site:
 
     def _has(self, source: str) -> bool:
         there = (self.root / source).is_file()
-        if not there and source not in MADE_BY_BENCHMARKS:
+        if not there:
             self.faults.append(f"{source}: the page is missing")
         return there
 

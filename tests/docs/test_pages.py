@@ -16,7 +16,6 @@ from tests.docs.pictures import facets, same_picture
 from tests.docs.reading import PAGES, ROOT, blocks, inline_code
 from tests.docs.running import Session
 
-MADE_BY_BENCHMARKS = {"docs/coverage.md", "docs/performance.md"}
 FOLDERS = ("docs", "generated", "kinsym", "notebooks", "templates", "tests")
 _PATH = re.compile(rf"(?:{'|'.join(FOLDERS)})/[\w./*-]*|[A-Z]+\.(?:md|cff)")
 
@@ -58,7 +57,7 @@ def test_what_a_page_names(page: Path) -> None:
             check_command(code)
         elif found := re.fullmatch(r"python -m (tests\S*|kinsym)(?: .*)?", code):
             assert find_spec(found[1]), code
-        elif _PATH.fullmatch(code) and code not in MADE_BY_BENCHMARKS:
+        elif _PATH.fullmatch(code):
             assert any(ROOT.glob(code.rstrip("/*") + "*")), code
 
 
