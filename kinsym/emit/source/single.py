@@ -9,8 +9,11 @@ from __future__ import annotations
 
 import re
 import struct
+from dataclasses import replace
 
-from kinsym.errors import KinsymError
+from kinsym.emit.real import SINGLE
+from kinsym.emit.schedule import Schedule
+from kinsym.errors import DoesNotApply, KinsymError, RobotError
 
 #: Functions of math.h that have a sibling for float, those that a user's name cannot be (``kinsym.robot.names``).
 FUNCTIONS = frozenset("atan2 ceil copysign cos fabs floor fmax fmin hypot pow sin sqrt".split())
@@ -73,3 +76,26 @@ def _token(found: re.Match[str]) -> str:
     if found["number"] and _FLOATING.fullmatch(text):
         return literal(text)
     return text
+
+
+def in_single(schedule: Schedule) -> Schedule:
+    """A schedule whose C has single precision.
+
+    Raises DoesNotApply where an arm has no closed form: the roots of its polynomial of degree 16 need more digits than
+    float has (``docs/solvers.md``). Raises RobotError for a name that float's functions have.
+    """
+    if schedule.general:
+        raise DoesNotApply(
+            f"{schedule.name} is solved through the roots of a polynomial, and that needs double precision: in single "
+            "precision it loses solutions at one pose in ten. Leave --real float out, or lock or change what keeps the "
+            "arm from a closed form (kinsym explain says what that is)."
+        )
+    names = [*(joint.name for joint in schedule.joints), *(parameter.name for parameter in schedule.parameters)]
+    for name in names:
+        if name in _WORDS.values():
+            raise RobotError(
+                f"the name {name} is a word of C in single precision",
+                where=schedule.name,
+                remedy="Choose another name, for example l2.",
+            )
+    return replace(schedule, real=SINGLE)
