@@ -167,7 +167,7 @@ def _hold_windings(
             answer = calls.nearest(pose, near, weights, limit)
             scale = np.ones(len(near)) if weights is None else weights
             best = min((_least(q, near, ends, scale, winding) for q in every), default=np.inf)
-            missed += not _is_nearest(answer, best, near, scale, ends, fine)
+            missed += not _is_nearest(answer, best, near, scale, ends, worse=fine.worse)
             missed += not _among(answer, every, winding, fine.same)
     ledger.count(WITHIN_LAW, target.name, tried, wrong)
     ledger.count(INSIDE_LAW, target.name, 2 * tried, missed)
@@ -207,15 +207,13 @@ def _least(q: Floats, near: Floats, limits: Floats, weights: Floats, winding: An
     return total
 
 
-def _is_nearest(
-    answer: Any, best: float, near: Floats, weights: Floats, limits: Floats, fine: Fineness
-) -> bool:
+def _is_nearest(answer: Any, best: float, near: Floats, weights: Floats, limits: Floats, *, worse: float) -> bool:
     """Whether an answer is inside the limits and costs what the best costs; None where nothing is inside."""
     if not isinstance(answer, np.ndarray) or not np.isfinite(best):
         return answer is None and not np.isfinite(best)
     inside = ((answer >= limits[:, 0]) & (answer <= limits[:, 1])).all()
     cost = float((weights * (answer - near) ** 2).sum())
-    return bool(inside) and abs(cost - best) <= fine.worse * max(1.0, best)
+    return bool(inside) and abs(cost - best) <= worse * max(1.0, best)
 
 
 def _among(answer: Any, every: Floats, winding: Any, same: float) -> bool:

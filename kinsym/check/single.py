@@ -92,10 +92,7 @@ class SinglePrecision:
 
     def _forward(self, target: SingleSolver, q: Floats) -> None:
         kinematics = self.judge.kinematics
-        errors = np.abs(target.forward(q) - self.poses)
-        far = np.maximum(np.abs(self.poses[:, :3, 3]).max(axis=1, keepdims=True), self._length)
-        errors[:, :3, 3] /= far
-        self.ledger.judge(FORWARD_LAW, target.name, errors.max(axis=(1, 2)), FORWARD)
+        self.ledger.judge(FORWARD_LAW, target.name, self._apart(target.forward(q), self.poses), FORWARD)
         exact = kinematics.jacobian(q)
         errors = np.abs(target.jacobian(q) - exact)[..., kinematics.free].max(axis=(1, 2))
         self.ledger.judge(JACOBIAN_LAW, target.name, errors / max(1.0, float(np.abs(exact).max())), FORWARD)
@@ -118,9 +115,7 @@ class SinglePrecision:
         rows = int((~tell).sum())
         limit = f"but for 1 in {EMPTY}"
         self.ledger.count(EMPTY_LAW, name, rows, max(0, without - 1 - rows // EMPTY), limit=limit)
-        twice = sum(
-            np.count_nonzero(self._gaps(q[:, k + 1 :], q[:, k : k + 1]) < COPY) for k in range(q.shape[1] - 1)
-        )
+        twice = sum(np.count_nonzero(self._gaps(q[:, k + 1 :], q[:, k : k + 1]) < COPY) for k in range(q.shape[1] - 1))
         self.ledger.count(COPY_LAW, name, len(q), int(twice), limit=f"> {COPY:g} apart")
         angles = q[..., self.judge.revolute & self.judge.kinematics.free]
         half = float(np.float32(np.pi))
@@ -163,11 +158,16 @@ class SinglePrecision:
         turning = self.judge.revolute & self.judge.kinematics.free
         every = np.concatenate([q, q[:TURNED] * np.where(turning, MANY_TURNS, 1.0)])
         one, many = target.forward(every), target.forward_batch(every)
-        scale = np.maximum(1.0, np.abs(one).max(axis=(1, 2)))
-        apart = ~(np.abs(many - one).max(axis=(1, 2)) <= FORWARD * scale)
+        apart = ~(self._apart(many, one) <= FORWARD)
         tried = len(q) + len(cases) + len(every)
         failed = int(wrong.sum() + answered.sum() + apart.sum())
         self.ledger.count(BATCH_LAW, target.name, tried, failed)
+
+    def _apart(self, poses: Floats, wanted: Floats) -> Floats:
+        """The largest difference of poses (m, 4, 4), lengths in units of the arm or, far away, of the position."""
+        errors = np.abs(poses - wanted)
+        errors[:, :3, 3] /= np.maximum(np.abs(wanted[:, :3, 3]).max(axis=1, keepdims=True), self._length)
+        return np.asarray(errors.max(axis=(1, 2)), dtype=np.float64)
 
     def _least(self, q: Floats) -> Floats:
         """The least singular value of the task's Jacobian at joint vectors (..., n), lengths in units of the arm."""
@@ -175,8 +175,8 @@ class SinglePrecision:
         at = np.where(np.isfinite(q), q, 0.0)
         slope = task_jacobian(kinematics.jacobian(at), kinematics.forward(at), self.judge.task, kinematics.size)
         free = kinematics.free
-        values: Floats = np.linalg.svd((slope * self._unit)[..., free], compute_uv=False)
-        return values[..., -1]
+        values = np.linalg.svd((slope * self._unit)[..., free], compute_uv=False)
+        return np.asarray(values[..., -1], dtype=np.float64)
 
     def _gaps(self, left: Floats, right: Floats) -> Floats:
         """The largest difference of joint vectors (..., n), whole turns aside; infinite where one is none."""

@@ -112,7 +112,7 @@ def _read(path: Path) -> tuple[Robot, dict[str, str], str]:
         deviation = recalled(content.get("deviation"))
         real = content.get("real", REALS[0])
         if real not in REALS:
-            raise ValueError(f"there is no type {shown(repr(real))} of numbers")
+            raise ValueError(f"there is no type {shown(str(real))} of numbers")
     except OSError as error:
         raise OutputError(f"{path} cannot be read: {error.strerror}. {remedy}") from error
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:

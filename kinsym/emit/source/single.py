@@ -59,7 +59,9 @@ def literal(number: str) -> str:
     digits = re.sub(r"[eE].*", "", number).replace(".", "").strip("0")
     if len(digits) <= _SHORT:
         return f"{number}f"
-    shortest = next(text for text in (f"{nearest:.{n}g}" for n in range(_SHORT, 10)) if _rounded(float(text)) == nearest)
+    shortest = next(
+        text for text in (f"{nearest:.{n}g}" for n in range(_SHORT, 10)) if _rounded(float(text)) == nearest
+    )
     return f"{float(shortest)!r}f"
 
 
