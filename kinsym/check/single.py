@@ -28,8 +28,9 @@ from kinsym.robot.model import Task
 REGULAR = 0.01
 #: Forward kinematics and Jacobian, in units of the arm or 1; what was measured is below 1e-6.
 FORWARD = 5e-6
-#: The closure of regular solutions and of all, in units of the arm: the least squares give up beyond 1e-4.
-ORDINARY, CLOSURE = 2e-5, 1.1e-4
+#: The closure of regular solutions and of all, in units of the arm: the least squares give up beyond 1e-4 of its size,
+#: to which an arm that slides adds where the pose is.
+ORDINARY, CLOSURE = 2e-5, 3e-4
 #: The error of a joint value times the least singular value.
 FELT = 1e-5
 #: Solutions nearer than this in every joint, lengths in units of the arm, are copies.

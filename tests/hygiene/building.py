@@ -95,6 +95,7 @@ def program(source: str, schedule: Schedule, folder: Path, *flags: str, rounds: 
         "LOCKED": f"{{{', '.join(map(str, locked))}}}",
         "ROUNDS_EACH": rounds,
     }
+    macros |= {"REAL": schedule.real.name} if schedule.real.single else {}
     given = [f"-D{name}={value}" for name, value in macros.items()]
     output = f"./{Path(source).stem}"
     sources = [str(HERE / source), f"{schedule.name}.c"]

@@ -12,6 +12,7 @@ import pytest
 
 from kinsym.emit import TARGETS
 from kinsym.emit.schedule import Schedule
+from kinsym.emit.source.single import in_single
 from tests.hygiene.arms import KINDS, schedule
 from tests.hygiene.building import Failed, hostile, quiet, threads, writable, write
 
@@ -41,6 +42,16 @@ def test_hostile_numbers_get_a_status(name: str, tmp_path: Path) -> None:
     answered, refused = (int(word) for word in hostile(schedule(name), tmp_path).split() if word.isdigit())
     assert answered > 1000
     assert refused > 1000
+
+
+def test_hostile_numbers_get_a_status_in_single_precision(tmp_path: Path) -> None:
+    arm = in_single(schedule("planar_rr"))
+    write(arm, tmp_path)
+    answered, refused = (int(word) for word in hostile(arm, tmp_path).split() if word.isdigit())
+    assert answered > 1000
+    assert refused > 1000
+    assert writable(arm, tmp_path) == []
+    assert "poses reached" in threads(arm, tmp_path)
 
 
 def test_state_that_threads_share_is_seen(tmp_path: Path) -> None:

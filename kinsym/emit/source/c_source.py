@@ -14,6 +14,7 @@ from typing import Any, ClassVar
 from kinsym.algebra.tree import ONE, ZERO, Tree
 from kinsym.emit.environment import render
 from kinsym.emit.printer import Printer, decimal
+from kinsym.emit.real import DOUBLE
 from kinsym.emit.schedule import NominalStarts, Schedule
 from kinsym.emit.source.banner import banner, c_comment
 from kinsym.emit.source.c_batch import LANES, batch_of, waves
@@ -70,7 +71,7 @@ def c_source(schedule: Schedule) -> dict[str, str]:
 
 def c_names(schedule: Schedule, core: Core = FILES) -> dict[str, Any]:
     """What the templates of header and source read."""
-    real = schedule.real
+    real = DOUBLE if core.embedded else schedule.real
     if real.single:
         schedule = replace(schedule, tau=real.tau)
     inverse, gate = inverse_needs(schedule), gate_entries(schedule.task)
