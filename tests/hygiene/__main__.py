@@ -1,7 +1,8 @@
 """The C of the whole gallery: ``python -m tests.hygiene [NAME ...] [--valgrind] [--real float]``.
 
 For each robot: every compiler at hand with all warnings, symbols that can be written, hostile numbers under the
-sanitizers, and under valgrind if asked, many threads under the thread sanitizer. Ends with status 1 if one fails.
+sanitizers, and under valgrind if asked, poses with floating-point traps on, many threads under the thread sanitizer.
+Ends with status 1 if one fails.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from kinsym.emit.schedule import Schedule
 from kinsym.errors import KinsymError
 from kinsym.robot import gallery
 from tests.hygiene.arms import KINDS, MORE, schedule
-from tests.hygiene.building import Failed, hostile, quiet, threads, writable, write
+from tests.hygiene.building import GLIBC, Failed, hostile, quiet, threads, traps, writable, write
 
 
 def examine(arm: Schedule, *, valgrind: bool) -> str:
@@ -28,6 +29,8 @@ def examine(arm: Schedule, *, valgrind: bool) -> str:
         if shared := writable(arm, folder):
             raise Failed(f"symbols that can be written: {', '.join(shared)}")
         said = [f"{compiled} compilations without a warning", hostile(arm, folder).strip()]
+        if GLIBC:
+            said.append(traps(arm, folder).strip())
         if valgrind:
             said.append(f"under valgrind {hostile(arm, folder, valgrind=True).strip()}")
         return "; ".join([*said, threads(arm, folder, "-fsanitize=thread", rounds=3).strip()])
