@@ -112,8 +112,8 @@ def test_calls_for_one_pose_do_not_trap(name: str, real: str, tmp_path: Path) ->
 
 @needs_glibc
 def test_a_trap_is_seen(tmp_path: Path) -> None:
-    """Where the tool is on axis 1 a direction has no length."""
-    arm = broken(tmp_path, "if (rr <= t * t || r == 0.0) {", "if (t < 0.0) {")
+    """Where a branch has no solution its sine and cosine are both 0."""
+    arm = broken(tmp_path, "/ (least > below ? least : below);", "/ below;")
     with pytest.raises(Failed, match="status -8"):
         traps(arm, tmp_path)
 
