@@ -114,19 +114,20 @@ class _CCalls:
     def __init__(self, target: CSolver) -> None:
         self._target, self._name = target, target.schedule.name
         self._n, self._most = len(target.schedule.joints), target.schedule.maximum
+        self._real = target.real
 
     def solve(self, pose: Floats, reference: Floats | None, parameters: Mapping[str, float] | None = None) -> Any:
         if reference is not None:
             self._target.give(reference)
         given = self._with(parameters or {})
-        q, marks = np.empty((self._most, self._n)), np.zeros((self._most, 3), dtype=np.uint32)
-        # two ints, then the doubles of every solution, then the three numbers of every mark
+        q, marks = self._room(self._most), np.zeros((self._most, 3), dtype=np.uint32)
+        # two ints, then the numbers of every solution, then the three numbers of every mark
         out = np.zeros(8 + q.nbytes + marks.nbytes + 8, dtype=np.uint8)
         status = self._call("solve", pose, given, reference, out)
         if status < 0:
             return _REFUSALS.get(status, str(status))
         count = int(out[4:8].view(np.int32)[0])
-        found = out[8 : 8 + q.nbytes].view(np.float64).reshape(q.shape)[:count]
+        found = out[8 : 8 + q.nbytes].view(self._real).reshape(q.shape)[:count].astype(np.float64)
         marks = out[8 + q.nbytes : 8 + q.nbytes + marks.nbytes].view(np.uint32).reshape(marks.shape)[:count]
         branch, free, border = marks.T
         family = np.array([self._call("family", int(bits)) for bits in free], dtype=np.uint32)
@@ -139,28 +140,28 @@ class _CCalls:
         if reference is not None:
             self._target.give(reference)
         low, high = _ends(limits)
-        q, marks = np.full((_ROOM, self._n), np.nan), np.zeros((_ROOM, 3), dtype=np.uint32)
+        q, marks = self._room(_ROOM), np.zeros((_ROOM, 3), dtype=np.uint32)
         arguments = (pose, self._target.given, reference, low, high)
         count = self._call("within", *arguments, _ROOM, q, marks)
         if count < 0:
             return _REFUSALS.get(count, str(count))
         # with less room the same number is told, and what fits is written
-        few = np.full((_ROOM, self._n), np.nan)
+        few = self._room(_ROOM)
         told, room = self._call("within", *arguments, count // 2, few, marks), count // 2
         fits = told == count and np.array_equal(few[:room], q[:room]) and bool(np.isnan(few[room:]).all())
-        return q[:count] if fits else "another answer with less room"
+        return q[:count].astype(np.float64) if fits else "another answer with less room"
 
     def nearest(self, pose: Floats, reference: Floats | None, weights: Floats | None, limits: Floats | None) -> Any:
         if reference is not None:
             self._target.give(reference)
-        q = np.full(self._n, np.nan)
+        q = self._room(1)[0]
         arguments = (pose, self._target.given, reference, weights, *_ends(limits))
         status = self._call("nearest", *arguments, q)
-        return _REFUSALS.get(status, str(status)) if status < 0 else None if status == 0 else q
+        return _REFUSALS.get(status, str(status)) if status < 0 else None if status == 0 else q.astype(np.float64)
 
     def refusing(self, pose: Floats, q: Floats, parameters: Mapping[str, float]) -> dict[str, bool]:
         self._target.give(q)
-        given, found, counts = self._with(parameters), np.empty((self._most, self._n)), np.zeros(1, dtype=np.intc)
+        given, found, counts = self._with(parameters), self._room(self._most), np.zeros(1, dtype=np.intc)
         values = [None] * len(self._target.schedule.inputs)
         told = {
             "ik": self._call("ik", pose, given, found),
@@ -184,15 +185,24 @@ class _CCalls:
         if self._target.schedule.branches:
             held = (ctypes.c_char_p * self._most).in_dll(library, f"{self._name}_branches")
             names = tuple((name or b"").decode() for name in held)
-        ends = [np.array((ctypes.c_double * self._n).in_dll(library, f"{self._name}_{end}")) for end in _ENDS]
+        row = np.ctypeslib.as_ctypes_type(self._real) * self._n
+        ends = [np.array(row.in_dll(library, f"{self._name}_{end}"), dtype=np.float64) for end in _ENDS]
         return {"branches": names, "limits": np.stack(ends, axis=1)}
 
     def _call(self, name: str, *arguments: Any) -> int:
         """A function by its name; arrays are handed over where they lie, None as NULL."""
         function = getattr(self._target.library, f"{self._name}_{name}")
-        held = [np.ascontiguousarray(each) if isinstance(each, np.ndarray) else each for each in arguments]
+        held = [self._handed(each) if isinstance(each, np.ndarray) else each for each in arguments]
         handed = [ctypes.c_void_p(each.ctypes.data) if isinstance(each, np.ndarray) else each for each in held]
         return int(function(*handed))
+
+    def _handed(self, values: Any) -> Any:
+        """An array where it lies, unless its numbers are of another type than those of the C."""
+        with np.errstate(over="ignore"):
+            return np.ascontiguousarray(values, dtype=self._real if values.dtype.kind == "f" else None)
+
+    def _room(self, rows: int) -> Any:
+        return np.full((rows, self._n), np.nan, dtype=self._real)
 
 
 _ENDS = ("lower", "upper")

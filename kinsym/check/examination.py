@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping
 from copy import deepcopy
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -37,6 +38,7 @@ from kinsym.check.poses import (
     lengths_of,
 )
 from kinsym.check.shapes import hold_shapes
+from kinsym.check.single import FINENESS, SinglePrecision, SingleSolver
 from kinsym.check.singular import volume_of
 from kinsym.check.singular_set import hold_singular_set
 from kinsym.check.solvers import CSolver, ExactSolver, Floats, NumpySolver, Solutions, Solver, TreeKinematics
@@ -120,10 +122,11 @@ class Examination:
         oracle = self.hold_exact()
         answers = {}
         for target in self.targets:
-            answer = self.hold(target)
+            answer = None if isinstance(target, SingleSolver) else self.hold(target)
             if answer is not None:
                 answers[target.name] = answer
         self.hold_agreement(oracle, answers)
+        self.hold_single_precision(oracle, answers)
         self._count_solutions(next(iter(answers.values()))[1] if answers else None, oracle[1])
 
     def hold_exact(self) -> Solutions:
@@ -200,6 +203,19 @@ class Examination:
             self.answers.agree(
                 self.ledger, f"exact walk and {name}", oracle, (q[self.some], count[self.some]), self.some
             )
+
+    def hold_single_precision(self, oracle: Solutions, answers: Mapping[str, Solutions]) -> None:
+        """The laws of C in single precision, where there is one."""
+        others = {self.exact.name: (oracle, self.some)} | {name: (each, self.every) for name, each in answers.items()}
+        for target in self.targets:
+            if isinstance(target, SingleSolver):
+                laws = SinglePrecision(
+                    ledger=self.ledger, judge=self.judge, samples=self.samples, poses=self.poses, answers=others
+                )
+                try:
+                    laws.hold(target, replace(self._questions, fine=FINENESS), deepcopy(self.rng))
+                except Exception as error:  # generated code that was edited may raise anything
+                    self.ledger.fail(ERROR_LAW, target.name, f"{type(error).__name__}: {error}")
 
     def poses_by_kind(self) -> dict[str, int]:
         """How many poses of each kind were tried."""

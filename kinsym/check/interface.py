@@ -43,6 +43,17 @@ MORE_MOVED = 24
 
 
 @dataclass(frozen=True, kw_only=True)
+class Fineness:
+    """A type of numbers, and how finely it tells joint values, costs and limits apart: as the constants say."""
+
+    real: type[np.floating[Any]] = np.float64
+    same: float = SAME
+    worse: float = WORSE
+    edge: float = EDGE
+    chosen: float = CHOSEN
+
+
+@dataclass(frozen=True, kw_only=True)
 class Questions:
     """The poses (m, 4, 4) of joint vectors q (m, n) that these laws are tried on, and which are ordinary (m,)."""
 
@@ -51,6 +62,7 @@ class Questions:
     poses: Floats
     q: Floats
     plain: Any
+    fine: Fineness = Fineness()
 
     @property
     def winding(self) -> Any:
@@ -80,7 +92,7 @@ def hold_interface(
     ledger.count(MARK_LAW, target.name, len(found), wrong + max(0, moved - 1 - len(found) // MORE_MOVED))
     limits = _limits(questions, rng)
     _hold_windings(ledger, target, questions, limits=limits, rng=rng)
-    ledger.count(TABLE_LAW, target.name, 1, int(not _tables_hold(calls.tables(), questions.schedule)))
+    ledger.count(TABLE_LAW, target.name, 1, int(not _tables_hold(calls.tables(), questions)))
     _hold_defaults(ledger, target, calls, questions)
     _hold_refusals(ledger, target, calls, questions, limits[0])
     return found
@@ -110,7 +122,7 @@ def _fits(marked: Any, q: Floats, questions: Questions) -> bool:
     special = bool(marked.free.any() or marked.border.any())
     status = "unreachable" if not len(q) else "singular" if special else "solved"
     free = bool((marked.family | ~marked.free).all())
-    return bool((gaps <= SAME).all()) and rising and inside and free and marked.status == status
+    return bool((gaps <= questions.fine.same).all()) and rising and inside and free and marked.status == status
 
 
 def _chosen(marked: Any, reference: Floats, questions: Questions) -> bool:
@@ -118,7 +130,8 @@ def _chosen(marked: Any, reference: Floats, questions: Questions) -> bool:
     if not isinstance(marked, Marked):
         return True
     alone = marked.free & (marked.free.sum(axis=1, keepdims=True) == 1)
-    return bool((np.abs(wrapped(marked.q - reference, questions.judge.revolute))[alone] <= CHOSEN).all())
+    moved = np.abs(wrapped(marked.q - reference, questions.judge.revolute))[alone]
+    return bool((moved <= questions.fine.chosen).all())
 
 
 def _limits(questions: Questions, rng: np.random.Generator) -> list[Floats | None]:
@@ -130,55 +143,56 @@ def _limits(questions: Questions, rng: np.random.Generator) -> list[Floats | Non
     wide = np.stack([middle - 1.3 * unit, middle + 1.1 * unit], axis=1)
     wide[rng.integers(n)] = (-np.inf, np.inf)
     one_end = np.stack([middle - 0.9 * unit, np.full(n, np.inf)], axis=1)
-    return [narrow, wide, one_end, None]
+    return [*(_rounded(limits, questions) for limits in (narrow, wide, one_end)), None]
 
 
 def _hold_windings(
     ledger: Ledger, target: NumpySolver | CSolver, questions: Questions, *, limits: Sequence[Any], rng: Any
 ) -> None:
-    calls, winding = calls_of(target), questions.winding
+    calls, winding, fine = calls_of(target), questions.winding, questions.fine
     tried = wrong = missed = 0
     for row, limit in itertools.product(questions.ordinary, limits):
         pose, reference = questions.poses[row], questions.q[row]
         marked = calls.solve(pose, reference)
         every = marked.q if isinstance(marked, Marked) else np.empty((0, len(reference)))
-        ends = _table_limits(questions.schedule) if limit is None else limit
-        wound = _windings(every, ends, winding)
+        ends = _table_limits(questions) if limit is None else limit
+        wound = _windings(every, ends, winding, fine.edge)
         if wound is None:
             continue
         tried += 1
         found = calls.within(pose, reference, limit)
-        wrong += not (isinstance(found, np.ndarray) and found.shape == wound.shape and _close(found, wound))
+        wrong += not (isinstance(found, np.ndarray) and found.shape == wound.shape and _close(found, wound, fine.same))
         near = reference + np.where(questions.judge.kinematics.free, rng.normal(0.0, 2.0, len(reference)), 0.0)
         for weights in (None, rng.uniform(0.1, 2.0, len(reference))):
             answer = calls.nearest(pose, near, weights, limit)
             scale = np.ones(len(near)) if weights is None else weights
             best = min((_least(q, near, ends, scale, winding) for q in every), default=np.inf)
-            missed += not _is_nearest(answer, best, near, scale, ends) or not _among(answer, every, winding)
+            missed += not _is_nearest(answer, best, near, scale, ends, worse=fine.worse)
+            missed += not _among(answer, every, winding, fine.same)
     ledger.count(WITHIN_LAW, target.name, tried, wrong)
     ledger.count(INSIDE_LAW, target.name, 2 * tried, missed)
 
 
-def _close(left: Floats, right: Floats) -> bool:
-    return bool((np.abs(left - right) <= SAME * np.maximum(1.0, np.abs(right))).all())
+def _close(left: Floats, right: Floats, same: float) -> bool:
+    return bool((np.abs(left - right) <= same * np.maximum(1.0, np.abs(right))).all())
 
 
-def _windings(every: Floats, limits: Floats, revolute: Any) -> Floats | None:
+def _windings(every: Floats, limits: Floats, revolute: Any, edge: float) -> Floats | None:
     """All joint vectors (w, n) inside limits (n, 2), turns of the first joint outermost; None if one is on an edge."""
     wound = []
     for q in every:
-        places = [_turned(*values) for values in zip(q, limits, revolute, strict=True)]
+        places = [_turned(*values, edge) for values in zip(q, limits, revolute, strict=True)]
         if any(place is None for place in places):
             return None
         wound += list(itertools.product(*places))  # type: ignore[arg-type]
     return np.array(wound, dtype=np.float64).reshape(-1, every.shape[1])
 
 
-def _turned(x: float, ends: Floats, revolute: bool) -> list[float] | None:
+def _turned(x: float, ends: Floats, revolute: bool, edge: float) -> list[float] | None:
     low, high = ends
     turns = range(-3, 4) if revolute and np.isfinite(ends).all() else range(1)
     values = [x + 2 * np.pi * turn for turn in turns]
-    if any(abs(value - end) <= EDGE * max(1.0, abs(end)) for value in values for end in ends if np.isfinite(end)):
+    if any(abs(value - end) <= edge * max(1.0, abs(end)) for value in values for end in ends if np.isfinite(end)):
         return None
     return [value for value in values if low <= value <= high]
 
@@ -193,40 +207,47 @@ def _least(q: Floats, near: Floats, limits: Floats, weights: Floats, winding: An
     return total
 
 
-def _is_nearest(answer: Any, best: float, near: Floats, weights: Floats, limits: Floats) -> bool:
+def _is_nearest(answer: Any, best: float, near: Floats, weights: Floats, limits: Floats, *, worse: float) -> bool:
     """Whether an answer is inside the limits and costs what the best costs; None where nothing is inside."""
     if not isinstance(answer, np.ndarray) or not np.isfinite(best):
         return answer is None and not np.isfinite(best)
     inside = ((answer >= limits[:, 0]) & (answer <= limits[:, 1])).all()
     cost = float((weights * (answer - near) ** 2).sum())
-    return bool(inside) and abs(cost - best) <= WORSE * max(1.0, best)
+    return bool(inside) and abs(cost - best) <= worse * max(1.0, best)
 
 
-def _among(answer: Any, every: Floats, winding: Any) -> bool:
+def _among(answer: Any, every: Floats, winding: Any, same: float) -> bool:
     """Whether an answer is a solution up to whole turns; none is no wrong one."""
     if answer is None:
         return True
     gaps = np.abs(wrapped(every - answer, winding)) / np.maximum(1.0, np.abs(answer))
-    return bool(gaps.max(axis=1).min(initial=np.inf) <= SAME)
+    return bool(gaps.max(axis=1).min(initial=np.inf) <= same)
 
 
-def _table_limits(schedule: Schedule) -> Floats:
-    limits = [joint.limits for joint in schedule.joints]
-    return np.array([(-np.inf, np.inf) if ends is None else tuple(map(as_float, ends)) for ends in limits])
+def _table_limits(questions: Questions) -> Floats:
+    limits = [joint.limits for joint in questions.schedule.joints]
+    every = [(-np.inf, np.inf) if ends is None else tuple(map(as_float, ends)) for ends in limits]
+    return _rounded(np.array(every), questions)
 
 
-def _tables_hold(tables: Mapping[str, Any], schedule: Schedule) -> bool:
+def _rounded(values: Floats, questions: Questions) -> Floats:
+    """Numbers as their type holds them."""
+    return values.astype(questions.fine.real).astype(np.float64)
+
+
+def _tables_hold(tables: Mapping[str, Any], questions: Questions) -> bool:
+    schedule = questions.schedule
     values = {item.name: None if item.value is None else as_float(item.value) for item in schedule.parameters}
     return (
         (not schedule.branches or tables["branches"] == tuple(schedule.branches))
-        and np.array_equal(tables["limits"], _table_limits(schedule))
+        and np.array_equal(tables["limits"], _table_limits(questions))
         and tables.get("parameters", values) == values
     )
 
 
 def _hold_defaults(ledger: Ledger, target: NumpySolver | CSolver, calls: Calls, questions: Questions) -> None:
     """Parameters are the table's; no reference is a reference of zeros, where no input has to come from it."""
-    schedule, q = questions.schedule, questions.q[:DEFAULT_POSES]
+    schedule, q, same = questions.schedule, questions.q[:DEFAULT_POSES], questions.fine.same
     values = {item.name: item.value for item in schedule.parameters if item.value is not None}
     told = target.defaults(q)
     if len(values) < len(schedule.parameters):
@@ -234,7 +255,9 @@ def _hold_defaults(ledger: Ledger, target: NumpySolver | CSolver, calls: Calls, 
     else:
         kinematics = TreeKinematics(schedule, values)
         wanted = (kinematics.forward(q), kinematics.jacobian(q)[..., kinematics.free])
-        missed = told is None or not (_close(told[0], wanted[0]) and _close(told[1][..., kinematics.free], wanted[1]))
+        missed = told is None or not (
+            _close(told[0], wanted[0], same) and _close(told[1][..., kinematics.free], wanted[1], same)
+        )
     ledger.count(DEFAULT_LAW, target.name, 1, int(missed))
     if questions.schedule.inputs:
         return
@@ -251,7 +274,7 @@ def _hold_defaults(ledger: Ledger, target: NumpySolver | CSolver, calls: Calls, 
             near = [calls.nearest(questions.poses[row], each, None, None) for each in (None, zeros)]
             wrong += not (near[0] is near[1] or np.array_equal(near[0], near[1]))
         same = plain.shape == left.q.shape
-        wrong += not (same and (np.abs(wrapped(plain - left.q, questions.judge.revolute)) <= SAME).all())
+        wrong += not (same and (np.abs(wrapped(plain - left.q, questions.judge.revolute)) <= questions.fine.same).all())
     ledger.count(DEFAULT_LAW, target.name, len(rows), wrong)
 
 

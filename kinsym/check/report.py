@@ -64,6 +64,7 @@ class Report:
     measured: Mapping[str, Any] = field(default_factory=dict)
     deviation: Mapping[str, Any] | None = None
     nominal: Mapping[str, Any] | None = None
+    real: str = "double"
 
     @property
     def verdict(self) -> str:
@@ -98,6 +99,7 @@ class Report:
             "table": list(self.table),
             **({} if self.deviation is None else {"deviation": dict(self.deviation)}),
             **({} if self.nominal is None else {"nominal_arm": dict(self.nominal)}),
+            **({} if self.real == "double" else {"real": self.real}),
             MEASURED: dict(self.measured),
         }
 

@@ -49,6 +49,7 @@ def report_of(robot: Robot, schedule: Schedule, sources: Mapping[str, str], find
         measured=findings.measured if findings else {},
         deviation=None if robot.deviation is None else recorded(robot.deviation),
         nominal=None if schedule.nominal is None else _nominal(schedule.nominal),
+        real=schedule.real.name,
     )
 
 

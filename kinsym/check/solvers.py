@@ -188,16 +188,19 @@ STATUS = {0: "unreachable", 1: "solved", 2: "singular", -1: "not a pose"}
 
 
 class CSolver:
-    """The compiled C, called through ctypes."""
+    """The compiled C, called through ctypes; its answers are handed on in double precision."""
 
     name = "C"
+    #: The type of its numbers.
+    real: type[np.floating[Any]] = np.float64
 
     def __init__(self, library: ctypes.CDLL, schedule: Schedule, parameters: Mapping[str, Fraction]) -> None:
         self.library, self.schedule = library, schedule
         self._n, self._most = len(schedule.joints), schedule.maximum
         values = [as_float(parameters[parameter.name]) for parameter in schedule.parameters]
         self._places = [(len(values) + k, column) for k, (column, _) in enumerate(_inputs(schedule))]
-        self.given: Any = (ctypes.c_double * max(1, len(values) + len(self._places)))(*values)
+        number = np.ctypeslib.as_ctypes_type(self.real)
+        self.given: Any = (number * max(1, len(values) + len(self._places)))(*values)
         self._fk = getattr(library, f"{schedule.name}_fk")
         self._jacobian = getattr(library, f"{schedule.name}_jacobian")
         self._ik = getattr(library, f"{schedule.name}_ik_near")
@@ -223,9 +226,9 @@ class CSolver:
         return self._each(self._jacobian, q, (6, self._n))
 
     def inverse(self, poses: Floats, reference: Floats) -> Solutions:
-        poses, reference = np.ascontiguousarray(poses), np.ascontiguousarray(reference)
+        poses, reference = self._array(poses), self._array(reference)
         q = np.full((len(poses), self._most, self._n), np.nan)
-        buffer = np.empty((self._most, self._n))
+        buffer = self._empty(self._most, self._n)
         count = np.zeros(len(poses), dtype=np.intp)
         for row in range(len(poses)):
             self.give(reference[row])
@@ -236,10 +239,10 @@ class CSolver:
 
     def plain(self, pose: Floats) -> Floats:
         """``NAME_ik`` of one pose, which takes no reference: (k, n)."""
-        q, pose = np.full((self._most, self._n), np.nan), np.ascontiguousarray(pose)
+        q, pose = self._empty(self._most, self._n), self._array(pose)
         function = getattr(self.library, f"{self.schedule.name}_ik")
         function.restype, function.argtypes = ctypes.c_int, [ctypes.c_void_p] * 3
-        return q[: max(0, function(pose.ctypes.data, self.given, q.ctypes.data))]
+        return np.asarray(q[: max(0, function(pose.ctypes.data, self.given, q.ctypes.data))], dtype=np.float64)
 
     def defaults(self, q: Floats) -> tuple[Floats, Floats] | None:
         """``fk`` and ``jacobian`` of (m, n) with the table's parameters; None if the table leaves one open.
@@ -256,19 +259,18 @@ class CSolver:
 
     def forward_batch(self, q: Floats) -> Floats:
         """``NAME_fk_batch`` of joint vectors (m, n)."""
-        q = np.ascontiguousarray(q)
-        poses = np.empty((len(q), 4, 4))
+        q, poses = self._array(q), self._empty(len(q), 4, 4)
         self._fk_batch(q.ctypes.data, len(q), self.given, poses.ctypes.data)
-        return poses
+        return np.asarray(poses, dtype=np.float64)
 
     def inverse_batch(self, poses: Floats, reference: Floats) -> Solutions:
         """``NAME_ik_batch``: inputs come from each row of the reference (m, n), free joints from its first.
 
         The numbers of solutions are negative where a pose was refused.
         """
-        poses, first = np.ascontiguousarray(poses), np.ascontiguousarray(reference[0])
-        values = [np.ascontiguousarray(reference[:, column]) for _, column in self._places]
-        q, counts = np.full((len(poses), self._most, self._n), np.nan), np.zeros(len(poses), dtype=np.intc)
+        poses, first = self._array(poses), self._array(reference[0])
+        values = [self._array(reference[:, column]) for _, column in self._places]
+        q, counts = self._empty(len(poses), self._most, self._n), np.zeros(len(poses), dtype=np.intc)
         arrays = [first, *values, q, counts]
         self._ik_batch(poses.ctypes.data, len(poses), self.given, *(array.ctypes.data for array in arrays))
         return np.where((np.arange(self._most) < counts[:, None])[..., None], q, np.nan), counts.astype(np.intp)
@@ -276,8 +278,8 @@ class CSolver:
     def status(self, pose: Floats, reference: Floats) -> str:
         """What ``NAME_solve`` says of one pose (4, 4)."""
         self.give(reference)
-        pose, reference = np.ascontiguousarray(pose), np.ascontiguousarray(reference)
-        # two ints, then for every solution its doubles and the three numbers of its mark
+        pose, reference = self._array(pose), self._array(reference)
+        # two ints, then for every solution its numbers, doubles at most, and the three of its mark
         out = np.empty(1 + self._most * (self._n + 2))
         status = self._solve(pose.ctypes.data, self.given, reference.ctypes.data, out.ctypes.data)
         return STATUS.get(status, str(status))
@@ -285,12 +287,12 @@ class CSolver:
     def nearest(self, pose: Floats, reference: Floats, weights: Floats) -> Floats | None:
         """``NAME_nearest`` of one pose, without limits."""
         self.give(reference)
-        pose, reference, weights = map(np.ascontiguousarray, (pose, reference, weights))
-        low, q = np.full(self._n, -np.inf), np.empty(self._n)
+        pose, reference, weights = map(self._array, (pose, reference, weights))
+        low, q = self._array(np.full(self._n, -np.inf)), self._empty(self._n)
         high = -low
         arrays = (reference, weights, low, high, q)
         found = self._nearest(pose.ctypes.data, self.given, *(array.ctypes.data for array in arrays))
-        return q if found > 0 else None
+        return np.asarray(q, dtype=np.float64) if found > 0 else None
 
     def give(self, reference: Floats) -> None:
         """Put the locked inputs of a reference (n,) into the struct of parameters."""
@@ -298,16 +300,23 @@ class CSolver:
             self.given[place] = reference[column]
 
     def refuses(self, pose: Floats) -> bool:
-        pose = np.ascontiguousarray(pose, dtype=np.float64)
-        buffer = np.empty((self._most, self._n))
+        pose, buffer = self._array(pose), self._empty(self._most, self._n)
         return bool(self._ik(pose.ctypes.data, self.given, None, buffer.ctypes.data) < 0)
 
     def _each(self, function: Callable[..., Any], q: Floats, shape: tuple[int, int]) -> Floats:
-        q = np.ascontiguousarray(q)
-        result = np.empty((len(q), *shape))
+        q, result = self._array(q), self._empty(len(q), *shape)
         for row in range(len(q)):
             function(q[row].ctypes.data, self.given, result[row].ctypes.data)
-        return result
+        return np.asarray(result, dtype=np.float64)
+
+    def _array(self, values: Any) -> NDArray[Any]:
+        """Values as the C reads them."""
+        with np.errstate(over="ignore"):
+            return np.ascontiguousarray(values, dtype=self.real)
+
+    def _empty(self, *shape: int) -> NDArray[Any]:
+        """Room for what the C writes."""
+        return np.full(shape, np.nan, dtype=self.real)
 
 
 class TreeKinematics:

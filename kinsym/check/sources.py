@@ -18,6 +18,7 @@ from kinsym.check.compiler import FLAGS, compile_shared, compiler_version, find_
 from kinsym.check.cpp import IKFAST, CppSolver, IkfastSolver, build_header, build_ikfast, find_cpp_compiler
 from kinsym.check.extension import build, headers, load_package
 from kinsym.check.ledger import Ledger
+from kinsym.check.single import SingleSolver
 from kinsym.check.solvers import CSolver, ExtensionSolver, NumpySolver, Solver
 from kinsym.emit.schedule import Schedule
 from kinsym.errors import CheckFailed
@@ -46,7 +47,8 @@ class Sources:
         if self.module is not None:
             found.append(NumpySolver(self.module, self.schedule, parameters))
         if self.library is not None:
-            found.append(CSolver(self.library, self.schedule, parameters))
+            solver = SingleSolver if self.schedule.real.single else CSolver
+            found.append(solver(self.library, self.schedule, parameters))
         if self.package is not None:
             found.append(ExtensionSolver(self.package, self.schedule, parameters))
         if self.header is not None:

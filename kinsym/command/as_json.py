@@ -13,7 +13,7 @@ from kinsym.facts import facts
 from kinsym.robot.summary import to_toml
 
 #: Keys of the report that stand in the object as they are.
-_REPORTED = ("figures", "operations", "singular_poses", "deviation", "nominal_arm")
+_REPORTED = ("figures", "operations", "singular_poses", "deviation", "nominal_arm", "real")
 
 
 def derived(derivation: Derivation, report: Report, paths: Sequence[Path], status: int) -> dict[str, Any]:

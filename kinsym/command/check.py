@@ -48,16 +48,16 @@ def _check_one(path: Path, screen: Screen) -> int:
     from kinsym.check.report import FAILED
     from kinsym.check.reporting import report_of
     from kinsym.command.outcome import say_checks, verdict
-    from kinsym.command.rendering import FILES, rendered
+    from kinsym.command.rendering import FILES, of_real, rendered
     from kinsym.deriving import derive
     from kinsym.emit.program import build_schedule
     from kinsym.write import write_set
 
     screen.stage(f"reading {path.name}")
-    robot, recorded = _read(path)
+    robot, recorded, real = _read(path)
     screen.stage(f"deriving {robot.name}")
     derivation = derive(robot)
-    schedule = build_schedule(derivation)
+    schedule = of_real(real, build_schedule(derivation))
     written = [target for target, paths in FILES.items() if any(path.format(robot.name) in recorded for path in paths)]
     today = rendered(derivation, schedule, written)
     sources: dict[str, str] = {}
@@ -93,13 +93,15 @@ def _check_one(path: Path, screen: Screen) -> int:
     return 1 if missing or report.verdict == FAILED else status
 
 
-def _read(path: Path) -> tuple[Robot, dict[str, str]]:
-    """The robot of a report and the digests of the files it speaks of."""
+def _read(path: Path) -> tuple[Robot, dict[str, str], str]:
+    """The robot of a report, the digests of the files it speaks of, and the type of the numbers in the C."""
     import json
     from dataclasses import replace
 
     from kinsym.check.deviation import recalled
+    from kinsym.command.rendering import REALS
     from kinsym.robot.files import from_draft, toml_draft
+    from kinsym.robot.names import shown
     from kinsym.robot.snapping import EXACT
 
     remedy = "Derive the robot again."
@@ -108,6 +110,9 @@ def _read(path: Path) -> tuple[Robot, dict[str, str]]:
         table, files = "\n".join(content["table"]), content["files"]
         recorded = {str(name): str(digest) for name, digest in files.items()}
         deviation = recalled(content.get("deviation"))
+        real = content.get("real", REALS[0])
+        if real not in REALS:
+            raise ValueError(f"there is no type {shown(str(real))} of numbers")
     except OSError as error:
         raise OutputError(f"{path} cannot be read: {error.strerror}. {remedy}") from error
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
@@ -115,7 +120,7 @@ def _read(path: Path) -> tuple[Robot, dict[str, str]]:
     try:
         where = f"{path}, table"
         robot = from_draft(toml_draft(table, where), where=where, snapping=EXACT)
-        return replace(robot, deviation=deviation), recorded
+        return replace(robot, deviation=deviation), recorded, real
     except KinsymError as error:
         raise OutputError(f"{path} holds no usable table: {error} {remedy}") from error
 

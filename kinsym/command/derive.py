@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kinsym.command.options import add_json, add_quiet, add_table
+from kinsym.command.rendering import REALS
 
 if TYPE_CHECKING:
     from kinsym.command.screen import Screen
@@ -28,6 +29,13 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="write this only (repeatable; default: numpy, c and latex); extension is a Python package around the C,"
         " cpp a header of C++, ikfast a solver for MoveIt and OpenRAVE",
     )
+    command.add_argument(
+        "--real",
+        choices=REALS,
+        default=REALS[0],
+        help="the type of the numbers in NAME.c and NAME.h; float is for processors without double precision, with"
+        " tolerances of its own",
+    )
     command.add_argument("--no-check", action="store_true", help="write the files without checking them")
     add_quiet(command)
     add_json(command)
@@ -38,13 +46,14 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
     from kinsym.check.report import SUFFIX
     from kinsym.check.reporting import report_of
     from kinsym.command.outcome import say_checks, say_operations, verdict
-    from kinsym.command.rendering import file_names, rendered
+    from kinsym.command.rendering import check_real, file_names, of_real, rendered
     from kinsym.command.table import robot_of, say_notes
     from kinsym.deriving import derive as derivation_of
     from kinsym.emit.program import build_schedule
     from kinsym.emit.text import equations
     from kinsym.write import check_place, put_back, write_set
 
+    check_real(options.real, options.target)
     screen.stage("reading the table")
     robot = robot_of(options)
     folder = Path(options.output if options.output is not None else robot.name)
@@ -58,7 +67,7 @@ def run(options: argparse.Namespace, screen: Screen) -> int:
         screen.say(equations(derivation, width=screen.width, ascii=screen.ascii))
         screen.flush()
     screen.stage("writing the sources")
-    schedule = build_schedule(derivation)
+    schedule = of_real(options.real, build_schedule(derivation))
     sources = rendered(derivation, schedule, options.target)
     findings = None
     if not options.no_check:

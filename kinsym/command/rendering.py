@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from kinsym.errors import UsageError
+from kinsym.robot.names import shown
+
 if TYPE_CHECKING:
     from kinsym.derivation import Derivation
     from kinsym.emit.schedule import Schedule
@@ -24,6 +27,9 @@ FILES = {
 }
 #: What is written where nobody asks for a language.
 USUAL = ("numpy", "c", "latex")
+#: The types of the numbers in the C, and the targets around it that know the first alone.
+REALS = ("double", "float")
+DOUBLE_ALONE = ("extension", "cpp", "ikfast")
 
 
 def file_names(name: str, targets: Sequence[str] | None = None) -> list[str]:
@@ -33,6 +39,30 @@ def file_names(name: str, targets: Sequence[str] | None = None) -> list[str]:
     ['ur5.c', 'ur5.h']
     """
     return [path.format(name) for target, paths in FILES.items() if target in (targets or USUAL) for path in paths]
+
+
+def check_real(real: str, targets: Sequence[str] | None = None) -> None:
+    """Whether these targets can be written with this type of numbers; UsageError if not.
+
+    >>> check_real("float", ("numpy", "c"))
+    """
+    if real not in REALS:
+        raise UsageError(f"there is no type {shown(real)} of numbers. They are {', '.join(REALS)}.")
+    if real == "double":
+        return
+    wanted = targets or USUAL
+    fixed = [target for target in wanted if target in DOUBLE_ALONE]
+    if fixed:
+        raise UsageError(f"{' and '.join(fixed)} have double precision alone. Ask for float with --target c.")
+    if "c" not in wanted:
+        raise UsageError("float is for the C, and the C is not asked for. Add --target c, or leave --real out.")
+
+
+def of_real(real: str, schedule: Schedule) -> Schedule:
+    """A schedule whose C has numbers of this type; DoesNotApply for an arm that needs double precision."""
+    from kinsym.emit.source.single import in_single
+
+    return in_single(schedule) if real == "float" else schedule
 
 
 def rendered(derivation: Derivation, schedule: Schedule, targets: Sequence[str] | None = None) -> dict[str, str]:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kinsym.algebra.tree import ONE, Tree
+from kinsym.emit.real import DOUBLE, Real
 from kinsym.general.plan import GeneralPlan
 from kinsym.inverse.families import Family
 from kinsym.inverse.plan import Definition, Nonzero, Step
@@ -112,6 +113,7 @@ class Schedule:
     lengths     the sum of the arm's constant lengths.
     nonzero     what must not vanish for the inverse kinematics to be right, over parameters and constants.
     general     the plan of an arm without a closed form; ``inverse`` is empty then.
+    real        the type of the numbers in the C; every other language has double precision.
     """
 
     name: str
@@ -140,6 +142,7 @@ class Schedule:
     nominal: NominalStarts | None = None
     lengths: Tree = ONE
     nonzero: tuple[Nonzero, ...] = ()
+    real: Real = DOUBLE
 
     @property
     def widths(self) -> tuple[int, ...]:

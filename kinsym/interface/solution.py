@@ -101,32 +101,37 @@ class Solution(Displayed):
 
         return whole(self.derivation)
 
-    def sources(self, targets: Sequence[str] | None = None) -> dict[str, str]:
+    def sources(self, targets: Sequence[str] | None = None, *, real: str = "double") -> dict[str, str]:
         """The generated files by their names: those of ``targets``, by default ``numpy``, ``c`` and ``latex``.
 
-        Raises KinsymError for a target that does not exist.
+        ``real`` is the type of the numbers in the C. Raises KinsymError for a target or type that does not exist, for
+        ``real="float"`` with targets that have none, and for an arm that needs double precision.
         """
-        from kinsym.command.rendering import rendered
+        from kinsym.command.rendering import check_real, of_real, rendered
 
-        return rendered(self.derivation, self.schedule, _known(targets))
+        targets = _known(targets)
+        check_real(real, targets)
+        return rendered(self.derivation, of_real(real, self.schedule), targets)
 
-    def write(self, folder: str | Path, targets: Sequence[str] | None = None, *, check: bool = True) -> Written:
+    def write(
+        self, folder: str | Path, targets: Sequence[str] | None = None, *, check: bool = True, real: str = "double"
+    ) -> Written:
         """Check the generated files and write them, with the report, into a folder that is made if need be.
 
-        Raises :class:`CheckFailed` if a law does not hold, and OutputError if the folder cannot be used; then nothing
-        is written. With ``check=False`` the files are written as they are.
+        Raises what :meth:`sources` raises, :class:`CheckFailed` if a law does not hold, and OutputError if the folder
+        cannot be used; then nothing is written. With ``check=False`` the files are written as they are.
         """
         from kinsym.check.compare import compare
         from kinsym.check.report import FAILED, SUFFIX
         from kinsym.check.reporting import report_of
-        from kinsym.command.rendering import file_names
+        from kinsym.command.rendering import file_names, of_real
         from kinsym.write import check_place, write_set
 
         place, name = Path(folder), self.robot.name + SUFFIX
         check_place(place, [*file_names(self.robot.name, _known(targets)), name])
-        sources = self.sources(targets)
-        findings = compare(self.robot, self.schedule, sources) if check else None
-        report = report_of(self.robot, self.schedule, sources, findings)
+        sources, schedule = self.sources(targets, real=real), of_real(real, self.schedule)
+        findings = compare(self.robot, schedule, sources) if check else None
+        report = report_of(self.robot, schedule, sources, findings)
         if report.verdict == FAILED:
             failed = [law.name for law in report.checks if law.status == FAILED]
             raise CheckFailed(

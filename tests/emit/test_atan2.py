@@ -16,6 +16,7 @@ import pytest
 
 from kinsym.check.compiler import FLAGS, compile_shared, find_compiler
 from kinsym.emit.environment import render
+from kinsym.emit.real import DOUBLE
 from tests.emit.atan_polynomial import least_error_polynomial
 from tests.emit.built import PLAIN, needs_compiler
 
@@ -44,7 +45,7 @@ EDGES = [0.0, -0.0, 5e-324, -5e-324, 1e-300, -1e-300, 1.0, -1.0, 1e290, -1e290, 
 
 def source() -> str:
     """The function and the loop as a generated source holds them."""
-    return render("c/atan2.c.jinja", macro=NAME.upper(), angles=True, core=PLAIN)
+    return render("c/atan2.c.jinja", macro=NAME.upper(), angles=True, core=PLAIN, real=DOUBLE)
 
 
 @cache

@@ -19,6 +19,7 @@ from kinsym.emit.ending import ending, summands
 from kinsym.emit.environment import render
 from kinsym.emit.operations import inverse_operations, line_operations
 from kinsym.emit.program import build_schedule
+from kinsym.emit.real import DOUBLE
 from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.needs import inverse_needs
 from kinsym.emit.symmetry import signs
@@ -122,7 +123,9 @@ def test_turns_stay_above_minus_pi_and_at_most_pi() -> None:
     exported = "".join(
         f"double ask_{name}(double x);\ndouble ask_{name}(double x) {{ return {name}(x); }}\n" for name in names
     )
-    source = "#include <math.h>\n" + render("c/helpers.c.jinja", functions=set(names), core=PLAIN) + exported
+    source = (
+        "#include <math.h>\n" + render("c/helpers.c.jinja", functions=set(names), core=PLAIN, real=DOUBLE) + exported
+    )
     with TemporaryDirectory() as folder:
         (Path(folder) / "turns.c").write_text(source, encoding="utf-8")
         library = ctypes.CDLL(str(compile_shared(folder, "turns", folder)))

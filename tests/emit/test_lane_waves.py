@@ -15,6 +15,7 @@ import pytest
 
 from kinsym.check.compiler import FLAGS, compile_shared
 from kinsym.emit.environment import render
+from kinsym.emit.real import DOUBLE
 from tests.emit.built import PLAIN
 
 NAME = "wave"
@@ -32,7 +33,7 @@ def built(compiler: str, flags: tuple[str, ...]) -> ctypes.CDLL:
         for name in ("sin", "cos")
     )
     with TemporaryDirectory() as folder:
-        text = render("c/batch/wave.c.jinja", waves={"sin", "cos"}, core=PLAIN)
+        text = render("c/batch/wave.c.jinja", waves={"sin", "cos"}, core=PLAIN, real=DOUBLE)
         (Path(folder) / f"{NAME}.c").write_text(text + loops, encoding="utf-8")
         return ctypes.CDLL(str(compile_shared(folder, NAME, folder, compiler=compiler, flags=flags)))
 
@@ -77,7 +78,7 @@ def test_what_is_no_number_has_no_sine(value: float) -> None:
 
 def test_the_parts_of_a_quarter_turn() -> None:
     """Two of 33 bits, so that whole multiples up to 2^20 are exact, and the rest."""
-    text = render("c/batch/wave.c.jinja", waves=set(), core=PLAIN)
+    text = render("c/batch/wave.c.jinja", waves=set(), core=PLAIN, real=DOUBLE)
     parts = [1.5707963267341256, 6.077100506303966e-11, 2.0222662487959506e-21]
     assert all(repr(part) in text for part in parts)
     for part in parts[:2]:

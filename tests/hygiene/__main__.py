@@ -1,7 +1,8 @@
-"""The C of the whole gallery: ``python -m tests.hygiene [NAME ...] [--valgrind]``.
+"""The C of the whole gallery: ``python -m tests.hygiene [NAME ...] [--valgrind] [--real float]``.
 
 For each robot: every compiler at hand with all warnings, symbols that can be written, hostile numbers under the
-sanitizers, and under valgrind if asked, many threads under the thread sanitizer. Ends with status 1 if one fails.
+sanitizers, and under valgrind if asked, poses with floating-point traps on, many threads under the thread sanitizer.
+Ends with status 1 if one fails.
 """
 
 from __future__ import annotations
@@ -11,11 +12,12 @@ import sys
 import tempfile
 from pathlib import Path
 
+from kinsym.command.rendering import REALS, of_real
 from kinsym.emit.schedule import Schedule
 from kinsym.errors import KinsymError
 from kinsym.robot import gallery
 from tests.hygiene.arms import KINDS, MORE, schedule
-from tests.hygiene.building import Failed, hostile, quiet, threads, writable, write
+from tests.hygiene.building import GLIBC, Failed, hostile, quiet, threads, traps, writable, write
 
 
 def examine(arm: Schedule, *, valgrind: bool) -> str:
@@ -27,6 +29,8 @@ def examine(arm: Schedule, *, valgrind: bool) -> str:
         if shared := writable(arm, folder):
             raise Failed(f"symbols that can be written: {', '.join(shared)}")
         said = [f"{compiled} compilations without a warning", hostile(arm, folder).strip()]
+        if GLIBC:
+            said.append(traps(arm, folder).strip())
         if valgrind:
             said.append(f"under valgrind {hostile(arm, folder, valgrind=True).strip()}")
         return "; ".join([*said, threads(arm, folder, "-fsanitize=thread", rounds=3).strip()])
@@ -37,11 +41,12 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m tests.hygiene", description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument("--valgrind", action="store_true", help="hostile numbers under valgrind as well")
+    parser.add_argument("--real", choices=REALS, default=REALS[0], help="the type of the numbers in the C")
     options = parser.parse_args()
     failed = 0
     for name in options.names or [*gallery(), *(name for name in (*KINDS, *MORE) if name not in gallery())]:
         try:
-            said = examine(schedule(name), valgrind=options.valgrind)
+            said = examine(of_real(options.real, schedule(name)), valgrind=options.valgrind)
         except (Failed, KinsymError) as error:
             failed += 1
             said = f"FAILED: {error}"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import platform
 import shutil
 import subprocess
 from pathlib import Path
@@ -18,6 +19,8 @@ SANITIZERS = ("-fsanitize=address,undefined,float-cast-overflow", "-fno-sanitize
 STANDARDS = ("-std=c99", "-std=c11")
 CPP = ("-x", "c++", "-std=c++17")
 _SECONDS = 300
+#: Only this library can turn floating-point traps on.
+GLIBC = platform.libc_ver()[0] == "glibc"
 #: Sections that hold what can be written: initialised, zeroed, common.
 _WRITABLE = frozenset("dDbBC")
 
@@ -95,6 +98,7 @@ def program(source: str, schedule: Schedule, folder: Path, *flags: str, rounds: 
         "LOCKED": f"{{{', '.join(map(str, locked))}}}",
         "ROUNDS_EACH": rounds,
     }
+    macros |= {"REAL": schedule.real.name} if schedule.real.single else {}
     given = [f"-D{name}={value}" for name, value in macros.items()]
     output = f"./{Path(source).stem}"
     sources = [str(HERE / source), f"{schedule.name}.c"]
@@ -108,6 +112,11 @@ def hostile(schedule: Schedule, folder: Path, *, valgrind: bool = False) -> str:
         checker = ["valgrind", "--quiet", "--error-exitcode=9", "--leak-check=full"]
         return run([*checker, program("hostile.c", schedule, folder)], folder)
     return run([program("hostile.c", schedule, folder, *SANITIZERS)], folder)
+
+
+def traps(schedule: Schedule, folder: Path, *flags: str) -> str:
+    """The calls for one pose with floating-point traps on (glibc); what the program says when it ends."""
+    return run([program("traps.c", schedule, folder, *flags)], folder)
 
 
 def threads(schedule: Schedule, folder: Path, *flags: str, rounds: int = 1) -> str:

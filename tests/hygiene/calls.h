@@ -9,6 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#ifdef REAL /* the type of the arm's numbers, where it is another one */
+#define double REAL
+#endif
+
 #define JOIN_(a, b) a##b
 #define JOIN(a, b) JOIN_(a, b)
 #define F(name) JOIN(ARM, name)

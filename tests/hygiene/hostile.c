@@ -3,8 +3,13 @@
 #include "calls.h"
 
 static const double WRONG[] = {
+#ifdef REAL
+    NAN, INFINITY, -INFINITY, FLT_MAX, -FLT_MAX, 1e38f, 2e19f, -2e19f, 9e14f, 1e10f, -1e9f,
+    0.0f, -0.0f, FLT_MIN, 1.4e-45f, -1.4e-45f, 1e-40f, 1e-20f, 1e-10f, 1e-5f, 0.999f, 1.0005f,
+#else
     NAN, INFINITY, -INFINITY, DBL_MAX, -DBL_MAX, 1e300, 1e155, -1e155, 1e149, 1e30, -1e9,
     0.0, -0.0, DBL_MIN, 4.9e-324, -4.9e-324, 1e-310, 1e-160, 1e-30, 1e-9, 0.999999, 1.0000005,
+#endif
 };
 #define MOST ((int)(sizeof WRONG / sizeof WRONG[0]))
 

@@ -10,10 +10,11 @@ from pathlib import Path
 
 import pytest
 
+from kinsym.command.rendering import REALS, of_real
 from kinsym.emit import TARGETS
 from kinsym.emit.schedule import Schedule
 from tests.hygiene.arms import KINDS, schedule
-from tests.hygiene.building import Failed, hostile, quiet, threads, writable, write
+from tests.hygiene.building import GLIBC, Failed, hostile, quiet, threads, traps, writable, write
 
 TEMPLATES = Path(__file__).resolve().parents[2] / "templates"
 
@@ -41,6 +42,16 @@ def test_hostile_numbers_get_a_status(name: str, tmp_path: Path) -> None:
     answered, refused = (int(word) for word in hostile(schedule(name), tmp_path).split() if word.isdigit())
     assert answered > 1000
     assert refused > 1000
+
+
+def test_hostile_numbers_get_a_status_in_single_precision(tmp_path: Path) -> None:
+    arm = of_real("float", schedule("planar_rr"))
+    write(arm, tmp_path)
+    answered, refused = (int(word) for word in hostile(arm, tmp_path).split() if word.isdigit())
+    assert answered > 1000
+    assert refused > 1000
+    assert writable(arm, tmp_path) == []
+    assert "poses reached" in threads(arm, tmp_path)
 
 
 def test_state_that_threads_share_is_seen(tmp_path: Path) -> None:
@@ -85,6 +96,26 @@ def test_hostile_numbers_find_what_is_wrong(fault: str, tmp_path: Path) -> None:
     old, new, said = FAULTS[fault]
     with pytest.raises(Failed, match=said):
         hostile(broken(tmp_path, old, new), tmp_path)
+
+
+needs_glibc = pytest.mark.skipif(not GLIBC, reason="floating-point traps are turned on by a function of glibc")
+
+
+@needs_glibc
+@pytest.mark.parametrize("real", REALS)
+@pytest.mark.parametrize("name", ["planar_rr", "skew_wrist"])
+def test_calls_for_one_pose_do_not_trap(name: str, real: str, tmp_path: Path) -> None:
+    arm = of_real(real, schedule(name))
+    write(arm, tmp_path)
+    assert "no trap" in traps(arm, tmp_path)
+
+
+@needs_glibc
+def test_a_trap_is_seen(tmp_path: Path) -> None:
+    """Where a branch has no solution its sine and cosine are both 0."""
+    arm = broken(tmp_path, "/ (least > below ? least : below);", "/ below;")
+    with pytest.raises(Failed, match="status -8"):
+        traps(arm, tmp_path)
 
 
 def test_threads_that_meet_are_seen(tmp_path: Path) -> None:

@@ -104,7 +104,7 @@ def _stack(schedule: Schedule, given: int, loops: Loops) -> int:
     """The kilobytes of the block (``lanes.c.jinja``) and of the arrays of the loops, rounded up to tens."""
     block = 27 + given + schedule.maximum * (len(schedule.joints) + 1)
     arrays = sum(2 if "[2]" in array else 1 for loop in loops.loops for array in loop.arrays)
-    return 10 * ceil((block + arrays) * LANES * 8 / 10240)
+    return 10 * ceil((block + arrays) * LANES * schedule.real.size / 10240)
 
 
 def _path(widths: tuple[int, ...]) -> str:

@@ -1,19 +1,20 @@
 """A schedule as C99: NAME.h and NAME.c.
 
 Constants are locals, branches are nested loops over the roots that a kernel returned, and nothing is allocated or
-kept between calls. The source compiles as C99 and as C++17 with every warning turned on; ``double`` throughout, since
-the tolerances that decide between one root and two are those of double precision.
+kept between calls. The source compiles as C99 and as C++17 with every warning turned on. The templates are written for
+``double``; what another type asks for is in :mod:`kinsym.emit.real`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from kinsym.algebra.tree import ONE, ZERO, Tree
 from kinsym.emit.environment import render
 from kinsym.emit.printer import Printer, decimal
+from kinsym.emit.real import DOUBLE
 from kinsym.emit.schedule import NominalStarts, Schedule
 from kinsym.emit.source.banner import banner, c_comment
 from kinsym.emit.source.c_batch import LANES, batch_of, waves
@@ -26,6 +27,7 @@ from kinsym.emit.source.marks import c_marks
 from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
 from kinsym.emit.source.nominal import nominal_names
 from kinsym.emit.source.regular import regular_names
+from kinsym.emit.source.single import single
 from kinsym.emit.source.singular import singular_lines
 from kinsym.emit.source.statements import KernelCall, inverse_views
 from kinsym.emit.source.wrapping import WIDTH, cut, fill
@@ -59,14 +61,18 @@ class LanePrinter(CPrinter):
 def c_source(schedule: Schedule) -> dict[str, str]:
     """The header and the source of a robot, by file name."""
     names = c_names(schedule)
-    return {
+    texts = {
         f"{schedule.name}.h": render("c/header.h.jinja", **names),
         f"{schedule.name}.c": render("c/source.c.jinja", **names),
     }
+    return {name: single(text) for name, text in texts.items()} if schedule.real.single else texts
 
 
 def c_names(schedule: Schedule, core: Core = FILES) -> dict[str, Any]:
     """What the templates of header and source read."""
+    real = DOUBLE if core.embedded else schedule.real
+    if real.single:
+        schedule = replace(schedule, tau=real.tau)
     inverse, gate = inverse_needs(schedule), gate_entries(schedule.task)
     printer = CPrinter()
     statements = inverse_views(schedule, inverse, printer)
@@ -107,7 +113,8 @@ def c_names(schedule: Schedule, core: Core = FILES) -> dict[str, Any]:
         "number": decimal,
         "expression": printer,
         "roots_call": roots_call,
-        "code": code,
+        "real": real,
+        "code": (lambda text, depth: code(single(text), depth)) if real.single else code,
         "comment": comment,
         "comment_lines": lambda text: "\n".join(f" * {line}" for line in fill(c_comment(text), WIDTH - 6)),
     }

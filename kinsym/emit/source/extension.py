@@ -7,11 +7,13 @@ module names, defaults and types, so that the package has the interface of the N
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 from kinsym import __version__
 from kinsym.emit.environment import render
 from kinsym.emit.printer import decimal
+from kinsym.emit.real import DOUBLE
 from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.banner import banner, c_comment, markdown, printable, python_docstring, python_string
 from kinsym.emit.source.c_source import c_source
@@ -43,7 +45,8 @@ def extension_source(schedule: Schedule) -> dict[str, str]:
     folder, name = f"{schedule.name}-solver", schedule.name
     names = _names(schedule)
     texts = {path.format(name=name): render(f"extension/{t}.jinja", **names) for path, t in _TEMPLATES.items()}
-    texts |= {f"src/{name}/py.typed": "\n", **{f"c/{file}": text for file, text in c_source(schedule).items()}}
+    core = c_source(replace(schedule, real=DOUBLE))
+    texts |= {f"src/{name}/py.typed": "\n", **{f"c/{file}": text for file, text in core.items()}}
     return {f"{folder}/{path}": text for path, text in texts.items()}
 
 
