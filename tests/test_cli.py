@@ -94,6 +94,7 @@ def test_operations_are_told(kinsym: Run) -> None:
     assert "  ik        as many as its search for roots takes\n" in kinsym.out
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_same_bytes_twice(kinsym: Run) -> None:
     """Two runs write the same files, the report included."""
     assert kinsym("derive", PLANAR, "-o", "one") == kinsym("derive", PLANAR, "-o", "two") == 0
@@ -132,6 +133,7 @@ def test_robots(kinsym: Run) -> None:
     assert [line.split()[0] for line in kinsym.out.splitlines()[1:]] == list(gallery())
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_check_passes_tells_edits_and_finds_faults(kinsym: Run) -> None:
     """Untouched files pass; a comment is told and passes; a sign flipped by hand fails in each language."""
     assert kinsym("derive", PLANAR, "-o", "x", "--quiet") == 0
@@ -215,6 +217,7 @@ def test_wrong_input(kinsym: Run, arguments: list[str], message: str) -> None:
     assert Path("file").read_text() == "mine"
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_locks_of_the_command_line(kinsym: Run) -> None:
     """They stand in place of the file's; the report keeps them, so that the check needs no option."""
     assert kinsym("derive", "kuka_iiwa", "--lock", "theta5=-30deg", "--target", "numpy", "--quiet", "-o", "x") == 0
@@ -300,6 +303,7 @@ def test_a_failed_check_is_told_and_written(kinsym: Run, monkeypatch: pytest.Mon
     assert json.loads((kinsym.folder / PLANAR / f"{PLANAR}.report.json").read_text())["checked"] == "failed"
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_without_a_compiler(kinsym: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     """The C is written, the report says that it was not compiled, and the rest is checked."""
     monkeypatch.setattr("kinsym.check.sources.find_compiler", lambda: None)
