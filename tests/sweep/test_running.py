@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 from concurrent.futures import Future
 from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from kinsym.errors import KinsymError, OutputError
@@ -76,6 +78,28 @@ def test_a_file_that_is_no_part_is_refused(tmp_path: Path, content: bytes) -> No
     with pytest.raises(OutputError, match="is no part of a workspace"):
         sweep(three_links(5), keep=keep)
     assert keep.read_bytes() == content
+
+
+def test_a_part_with_other_points_is_refused(tmp_path: Path) -> None:
+    """The same question, but not as many answers; then a format that a later kinsym may have."""
+    keep = tmp_path / "x.partial.npz"
+    sweep(three_links(5), keep=keep)
+    with np.load(keep) as content:
+        said, hits = str(content["said"]), content["hits"]
+    np.savez(keep, said=np.array(said), hits=hits[:-1])
+    with pytest.raises(OutputError, match=rf"is no part of a workspace: it has \({hits.size - 1},\) points. Remove"):
+        sweep(three_links(5), keep=keep)
+    np.savez(keep, said=np.array(json.dumps({**json.loads(said), "format": 99})), hits=hits)
+    with pytest.raises(OutputError, match="is no part of a workspace: it is of another format"):
+        sweep(three_links(5), keep=keep)
+
+
+@pytest.mark.usefixtures("small_parts", "eager")
+def test_a_part_that_cannot_be_written_is_told(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("mine")
+    with pytest.raises(OutputError, match=r"x.npz could not be written: .*Name another output\."):
+        sweep(three_links(5), keep=tmp_path / "file" / "x.npz")
+    assert (tmp_path / "file").read_text() == "mine"
 
 
 def test_two_processes_find_the_same(small_parts: None) -> None:
