@@ -318,7 +318,7 @@ def test_without_a_compiler(kinsym: Run, monkeypatch: pytest.MonkeyPatch) -> Non
 
 def test_no_closed_form(kinsym: Run) -> None:
     """Seven axes that neither meet nor are parallel: status 1, what blocks it, nothing written."""
-    rows = "; ".join(f"alpha{i} a{i} d{i} theta{i}" for i in range(1, 8))
+    rows = "; ".join(f"pi/2 a{i} d{i} theta{i}" for i in range(1, 8))
     assert kinsym("derive", "--dh", rows, "--convention", "paul", "--name", "general", "--task", "pose") == 1
     assert "7 joints are more than" in kinsym.err
     assert os.listdir(kinsym.folder) == []
