@@ -6,6 +6,7 @@ import io
 
 import numpy as np
 import pytest
+from matplotlib.text import Text
 
 from kinsym.errors import RobotError
 from kinsym.plot import workspace as drawn
@@ -49,6 +50,14 @@ def test_a_slice_is_a_map() -> None:
     assert ax.get_xlabel() == "x [m]"
     (image,) = drawn(some()).images
     assert (some().inside[..., 0] == ~np.ma.getmaskarray(image.get_array()).T).all()
+
+
+def test_points_that_are_reached_but_not_with_every_orientation_are_told() -> None:
+    """On the map of the dexterous workspace they are grey; where none is reached at all nothing is said of them."""
+    legend = drawn(some("dexterous")).figure.legends[0]
+    assert "reached with some orientations" in [text.get_text() for text in legend.get_texts()]
+    nothing = found(some("dexterous").question, np.zeros(6, dtype=int))
+    assert not any("some orientations" in text.get_text() for text in drawn(nothing).figure.findobj(Text))
 
 
 def test_a_volume_is_cut_open() -> None:

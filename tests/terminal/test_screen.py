@@ -99,6 +99,39 @@ def test_a_log_has_plain_lines_without_times() -> None:
     assert out.getvalue() == "Checks\n------\n  ok      no solution twice\n"
 
 
+class Closed(io.StringIO):
+    """A pipe whose reader has gone: ``head -1`` after its line."""
+
+    def write(self, text: str) -> int:
+        """What the system says."""
+        raise BrokenPipeError
+
+    def flush(self) -> None:
+        """The same of what was buffered."""
+        raise BrokenPipeError
+
+
+def test_a_reader_that_has_gone_ends_nothing() -> None:
+    """What is said to it is lost, what stands on standard error is not."""
+    err = io.StringIO()
+    screen = Screen(out=Closed(), err=err)
+    for _ in range(2):
+        screen.say("theta1")
+    screen.flush()
+    screen.warn("x")
+    screen.end()
+    assert err.getvalue() == "kinsym: x\n"
+
+
+@pytest.mark.parametrize(
+    ("encoding", "plain"), [("utf-8", False), ("ascii", True), ("cp437", False), ("klingon", True)]
+)
+def test_signs_that_an_output_cannot_show_are_spelt_out(encoding: str, plain: bool) -> None:
+    """An encoding that nobody knows is taken for the least of all."""
+    out = type("Encoded", (io.StringIO,), {"encoding": encoding})()
+    assert Screen(out=out, err=io.StringIO()).ascii is plain
+
+
 @pytest.mark.parametrize(
     ("given", "terminal", "colour"),
     [
