@@ -6,7 +6,8 @@ several at a time. An angle that differs between the roots of a step by half a t
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from math import prod
 
@@ -21,6 +22,8 @@ _HALF_TURN = ("homogeneous", "homogeneous2")
 _LANES = 4
 #: A sum of so many angles in (-pi, pi] needs one whole turn at most to be there again.
 ONE_TURN = 3
+#: The kernel that finds a direction and leaves it its length.
+HEADING = "heading"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,12 +62,14 @@ class Ending:
     sums      values that are sums of angles, in order.
     lengths   the other joint values that are solved for.
     mirrored  whether the last branching step has mirror images for roots: what follows it is computed for one alone.
+    headings  pairs of the rule ``direction`` that their angles alone read: any multiple of them will do.
     """
 
     angles: tuple[Angle, ...]
     sums: tuple[Assign, ...]
     lengths: tuple[Length, ...]
     mirrored: bool
+    headings: frozenset[str]
 
     @property
     def pairs(self) -> int:
@@ -102,6 +107,7 @@ def ending(schedule: Schedule, statements: tuple[Statement, ...]) -> Ending:
             if name in levels and name not in late
         ),
         mirrored=_is_mirrored(schedule, statements, late, last),
+        headings=_headings(statements, angles),
     )
 
 
@@ -142,9 +148,8 @@ def _late(statements: Iterable[Statement], assigns: list[Assign], levels: dict[s
         read = {
             name
             for statement in statements
-            if not isinstance(statement, Note) and not (isinstance(statement, Assign) and statement.name in late)
-            for tree in ([statement.value] if isinstance(statement, Assign) else statement.step.inputs.values())
-            for name in symbols(tree)
+            if not (isinstance(statement, Assign) and statement.name in late)
+            for name in _read(statement)
         }
         if not read & late:
             return late
@@ -167,6 +172,27 @@ def _angle(schedule: Schedule, item: Assign, found: dict[int, dict[str, Sign]], 
         start=start,
         count=prod(schedule.widths[level - 1] for level in levels),
     )
+
+
+def _headings(statements: Iterable[Statement], angles: Iterable[Angle]) -> frozenset[str]:
+    readers = Counter(name for item in statements for name in frozenset(_read(item)))
+    plain = [(angle.sine, angle.cosine) for angle in angles]
+    alone = [
+        {sine.name, cosine.name}
+        for sine, cosine in plain
+        if isinstance(sine, Sym) and isinstance(cosine, Sym) and readers[sine.name] == readers[cosine.name] == 1
+    ]
+    steps = [item.step for item in statements if isinstance(item, Solve) and item.step.rule == "direction"]
+    return frozenset(name for step in steps if set(step.outputs) in alone for name in step.outputs)
+
+
+def _read(statement: Statement) -> Iterator[str]:
+    """The names that a statement reads."""
+    if isinstance(statement, Assign):
+        yield from symbols(statement.value)
+    elif isinstance(statement, Solve):
+        for tree in statement.step.inputs.values():
+            yield from symbols(tree)
 
 
 def _is_mirrored(schedule: Schedule, statements: tuple[Statement, ...], late: set[str], last: dict[str, Sign]) -> bool:

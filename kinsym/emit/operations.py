@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from math import prod
 
 from kinsym.algebra.tree import Call, Pow, Prod, Quot, Sum, Tree, children
-from kinsym.emit.ending import Ending, ending, summands
+from kinsym.emit.ending import HEADING, Ending, ending, summands
 from kinsym.emit.printer import split_sign
 from kinsym.emit.schedule import Assign, Note, Schedule, StraightLine
 from kinsym.emit.source.needs import inverse_needs, line_needs
@@ -54,6 +54,7 @@ _SHARED = {
     "linear_pole": Operations(8, 13, 2, 1),
     "triangle": Operations(12, 14, 1, 1),
     "direction": Operations(4, 11, 1, 1),
+    HEADING: Operations(3, 7),
 }
 #: The same of the other kernels, and of those of NumPy.
 _KERNELS = {
@@ -133,8 +134,8 @@ def inverse_operations(schedule: Schedule, *, shared: bool = True) -> Operations
         if isinstance(statement, Assign):
             total += _together([statement.value]) * runs
         else:
-            rule = statement.step.rule
-            kernel = _SHARED.get(rule, _KERNELS[rule]) if shared else _KERNELS[rule]
+            rule = HEADING if end and end.headings.issuperset(statement.step.outputs) else statement.step.rule
+            kernel = _SHARED[rule] if shared and rule in _SHARED else _KERNELS[rule]
             total += (_together(statement.step.inputs.values()) + kernel) * runs
     if end:
         total += _ending_operations(schedule, end)

@@ -36,6 +36,7 @@ WIDTH = 3
 class _Search:
     budget: int
     deepest: State | None = field(default=None)
+    dead: set[tuple[object, ...]] = field(default_factory=set)
 
     def run(self, state: State, names: Names, items: tuple[Item, ...]) -> tuple[Item, ...] | None:
         """The items of a finished plan, or None if this way leads nowhere."""
@@ -48,6 +49,9 @@ class _Search:
         if self.deepest is None or len(left) < len(self.deepest.known.unknowns()):
             self.deepest = state
         state.deadline.note(reached(self.deepest))
+        here = (state.first, state.end, state.known.edges, state.known.lengths)
+        if here in self.dead:
+            return None
         for candidate in islice(ranked(state), WIDTH):
             if self.budget <= 0:
                 return None
@@ -57,6 +61,7 @@ class _Search:
             found = self.run(replace(state, known=outcome.known), branch, (*items, *outcome.items))
             if found is not None:
                 return found
+        self.dead.add(here)
         return None
 
 

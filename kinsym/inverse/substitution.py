@@ -20,6 +20,8 @@ ROUNDS = 2
 """How many lengths are put in one after the other."""
 HIGHEST = 2
 """The highest power of a length that is replaced."""
+LONGEST = 400
+"""How many products of terms it may take: what comes out of more leads to steps that nobody reads, in minutes."""
 
 
 @dataclass(frozen=True)
@@ -72,6 +74,8 @@ def _once(state: State, equations: list[PoolEquation]) -> Iterator[PoolEquation]
             others = _unknowns(source.equation) - {variable}
             for equation in holding:
                 if equation is source.equation or len(others | (_unknowns(equation) - {variable})) > 2:
+                    continue
+                if len(equation.poly) * len(source.rest) > LONGEST:
                     continue
                 state.deadline.check()
                 found = _put(state, equation, source)

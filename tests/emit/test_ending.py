@@ -39,7 +39,7 @@ def gallery(name: str) -> Schedule:
     ("name", "ik", "jacobian"),
     [
         ("puma560", "121 + -, 231 *, 12 /, 13 sqrt, 22 atan2", "27 + -, 46 *, 5 sincos"),
-        ("ur5", "192 + -, 317 *, 16 /, 16 sqrt, 20 atan2", None),
+        ("ur5", "184 + -, 285 *, 8 /, 8 sqrt, 20 atan2", None),
         ("stanford_arm", "78 + -, 128 *, 7 /, 8 sqrt, 16 atan2", None),
     ],
 )
@@ -50,6 +50,15 @@ def test_operations(name: str, ik: str, jacobian: str | None) -> None:
     assert f"{inverse_operations(schedule, shared=False)} (for" in TARGETS["numpy"](schedule)[f"{name}.py"]
     if jacobian:
         assert str(line_operations(schedule, schedule.jacobian)) == jacobian
+
+
+@pytest.mark.parametrize(
+    ("name", "kernel", "other"), [("ur5", "heading", "direction"), ("puma560", "direction", "heading")]
+)
+def test_a_direction_keeps_its_length_if_its_angle_alone_reads_it(name: str, kernel: str, other: str) -> None:
+    source = TARGETS["c"](gallery(name))[f"{name}.c"]
+    assert source.count(f" solve_{kernel}(") == 2
+    assert f" solve_{other}(" not in source
 
 
 def test_a_wrist_is_solved_once_for_both_of_its_postures() -> None:

@@ -26,10 +26,15 @@ def main() -> None:
             continue
         results[name] = Stress(derivation).run(options.poses)
         print("\n".join(lines(name, results[name])), flush=True)
+        if options.write:
+            _write(results, list(results), options.poses)  # a run that is cut off leaves what it came to
     if options.write:
-        command = " ".join(["python -m tests.stress", *options.robots, f"--poses {options.poses}"])
-        write_section(TITLE, section(results, command))
+        _write(results, options.robots, options.poses)
     sys.exit(1 if any(any(kind.faults.values()) for kinds in results.values() for kind in kinds) else 0)
+
+
+def _write(results: dict[str, list[Kind]], robots: list[str], poses: int) -> None:
+    write_section(TITLE, section(results, " ".join(["python -m tests.stress", *robots, f"--poses {poses}"])))
 
 
 def _options() -> argparse.Namespace:

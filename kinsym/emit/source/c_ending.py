@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import prod
 from typing import Any
 
 from kinsym.algebra.tree import Call, Sym, Tree, children, negated, replaced
-from kinsym.emit.ending import ONE_TURN, Angle, Ending, ending, summands
+from kinsym.emit.ending import HEADING, ONE_TURN, Angle, Ending, ending, summands
 from kinsym.emit.printer import Printer
 from kinsym.emit.schedule import Assign, Schedule
+from kinsym.emit.source.kernels import KERNELS
 from kinsym.emit.source.needs import InverseNeeds, functions_used
 from kinsym.emit.source.statements import Assignment, KernelCall, View
 
@@ -34,6 +35,7 @@ class PairStore:
 def c_ending(schedule: Schedule, needs: InverseNeeds, statements: tuple[View, ...], printer: Printer) -> dict[str, Any]:
     """What the templates print of branches and of their end."""
     end = ending(schedule, needs.statements)
+    statements = tuple(_headed(view, end) for view in statements)
     calls = [view for view in statements if isinstance(view, KernelCall)]
     word = "int" if len(calls) <= _MOST else "long long"
     sums = {item.name: _unwound(item.value, end) for item in end.sums}
@@ -44,6 +46,7 @@ def c_ending(schedule: Schedule, needs: InverseNeeds, statements: tuple[View, ..
     made |= {name for _, text in taken for name in ("half_turn", "opposite") if f"{name}(" in text}
     return {
         "end": end,
+        "kernels": [rule for rule in (*KERNELS, HEADING) if any(call.rule == rule for call in calls)],
         "places": ", ".join(f"{angle.name}_at = {angle.start}" for angle in end.angles),
         "statements": _views(schedule, end, statements, printer),
         "loops": schedule.depth - end.mirrored,
@@ -61,6 +64,13 @@ def c_ending(schedule: Schedule, needs: InverseNeeds, statements: tuple[View, ..
         "twins": [printer(tree) for tree in twins],
         "functions": _all_functions(schedule, needs, end, made),
     }
+
+
+def _headed(view: View, end: Ending) -> View:
+    """The statement; a direction that an angle alone reads keeps its length, which saves a root and a division."""
+    if isinstance(view, KernelCall) and end.headings.issuperset(output.name for output in view.outputs):
+        return replace(view, rule=HEADING)
+    return view
 
 
 def _views(schedule: Schedule, end: Ending, statements: tuple[View, ...], printer: Printer) -> list[View | PairStore]:

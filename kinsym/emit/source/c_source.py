@@ -22,7 +22,6 @@ from kinsym.emit.source.c_general import general_names
 from kinsym.emit.source.control import c_limits, control_names
 from kinsym.emit.source.core import FILES, Core
 from kinsym.emit.source.gate import gate_entries
-from kinsym.emit.source.kernels import kernels_used
 from kinsym.emit.source.marks import c_marks
 from kinsym.emit.source.needs import ENTRIES, InverseNeeds, functions_used, inverse_needs, line_needs
 from kinsym.emit.source.nominal import nominal_names
@@ -93,7 +92,6 @@ def c_names(schedule: Schedule, core: Core = FILES) -> dict[str, Any]:
         "inverse": inverse,
         "entries": _entries(inverse),
         **ending,
-        "kernels": kernels_used(inverse.statements),
         "angles": "atan2" in ending["functions"],
         "gate": gate,
         "functions": ending["functions"] | (batch.functions if batch and core.whole else frozenset()),

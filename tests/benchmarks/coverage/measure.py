@@ -38,6 +38,8 @@ Floats = NDArray[np.float64]
 DISTANCES = (0.0, *(10.0**-k for k in range(3, 16)))
 #: Joint vectors from which singular ones are sought, and how many are kept for each joint that is moved to reach them.
 BASES, KEPT = 6, 2
+#: Seconds after which a derivation counts as broken; an arm takes 5 at most on a quiet machine.
+DEADLINE = 120.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -82,7 +84,7 @@ def measure(group: str, robot: Robot, effort: Effort) -> Result:
     """Derive, emit, compile and try one arm."""
     start = time.process_time()
     try:
-        derivation = derive(robot)
+        derivation = derive(robot, deadline=DEADLINE)
         schedule = build_schedule(derivation)
     except NoClosedForm as error:
         return Result(
