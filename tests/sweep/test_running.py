@@ -107,6 +107,7 @@ def test_two_processes_find_the_same(small_parts: None) -> None:
     assert (sweep(question, jobs=2).hits == sweep(question).hits).all()
 
 
+@pytest.mark.filterwarnings("ignore:Creating scratch directories")  # Dask on a machine that is busy
 @pytest.mark.usefixtures("small_parts")
 def test_a_dask_cluster_finds_the_same() -> None:
     import distributed
@@ -118,6 +119,7 @@ def test_a_dask_cluster_finds_the_same() -> None:
     assert (result.hits == sweep(question).hits).all()
 
 
+@pytest.mark.filterwarnings("ignore:Creating scratch directories")  # Dask on a machine that is busy
 @pytest.mark.usefixtures("small_parts")
 def test_a_cluster_that_goes_away(tmp_path: Path) -> None:
     """What it had found is kept, and the message says so."""

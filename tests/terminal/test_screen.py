@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import re
 import time
 
 import pytest
@@ -35,19 +36,24 @@ def seen(raw: str) -> list[str]:
     return [line.rpartition("\r\x1b[K")[2] for line in raw.split("\n")]
 
 
+def timeless(lines: list[str]) -> list[str]:
+    """Lines with every number of seconds as 0.0, so that a machine may take its time."""
+    return [re.sub(r"\d+\.\d s", "0.0 s", line) for line in lines]
+
+
 def test_one_line_is_rewritten_and_gone_at_the_end() -> None:
     """A stage replaces the one before it; output stands where the line was; the end leaves the time alone."""
     stream = Terminal()
     screen = Screen(out=stream, err=stream)
     screen.stage("reading")
     screen.stage("deriving")
-    assert seen(stream.getvalue()) == ["[  0.0 s] deriving ..."]
+    assert timeless(seen(stream.getvalue())) == ["[  0.0 s] deriving ..."]
     screen.say("theta1")
     assert seen(stream.getvalue()) == ["theta1", ""]
     screen.stage("checking")
     screen.end()
     screen.end()
-    assert seen(stream.getvalue()) == ["theta1", "took 0.0 s", ""]
+    assert timeless(seen(stream.getvalue())) == ["theta1", "took 0.0 s", ""]
 
 
 def test_the_line_moves_by_itself() -> None:
@@ -56,10 +62,10 @@ def test_the_line_moves_by_itself() -> None:
     progress = Progress(stream, time.monotonic())
     progress.stage("deriving")
     deadline = time.monotonic() + 10
-    while "[  0.2 s]" not in stream.getvalue() and time.monotonic() < deadline:
+    while len(set(re.findall(r"\[ +[\d.]+ s\] deriving", stream.getvalue()))) < 3 and time.monotonic() < deadline:
         time.sleep(0.02)
     assert progress.end()
-    assert "[  0.2 s] deriving ..." in stream.getvalue()
+    assert time.monotonic() < deadline
     length = len(stream.getvalue())
     time.sleep(0.25)
     assert len(stream.getvalue()) == length
