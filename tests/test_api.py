@@ -196,7 +196,8 @@ def test_solutions_show_themselves() -> None:
     assert "0.0000 free" in str(solved)
     assert "-0.0000" not in solved.text()
     assert solved.markdown().splitlines()[0].startswith(r"| branch | $\theta_{1}$ |")
-    assert arm.solve(np.diag([1.0, 1.0, 1.0, 1.0]) + np.eye(4, k=3) * 9).markdown() == "unreachable"
+    beyond = arm.solve(np.diag([1.0, 1.0, 1.0, 1.0]) + np.eye(4, k=3) * 9)
+    assert beyond.markdown() == beyond.text() == "unreachable"
 
 
 def test_an_input_has_a_value_and_may_get_another() -> None:

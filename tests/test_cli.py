@@ -7,7 +7,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -94,6 +93,7 @@ def test_operations_are_told(kinsym: Run) -> None:
     assert "  ik        as many as its search for roots takes\n" in kinsym.out
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_same_bytes_twice(kinsym: Run) -> None:
     """Two runs write the same files, the report included."""
     assert kinsym("derive", PLANAR, "-o", "one") == kinsym("derive", PLANAR, "-o", "two") == 0
@@ -132,6 +132,7 @@ def test_robots(kinsym: Run) -> None:
     assert [line.split()[0] for line in kinsym.out.splitlines()[1:]] == list(gallery())
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_check_passes_tells_edits_and_finds_faults(kinsym: Run) -> None:
     """Untouched files pass; a comment is told and passes; a sign flipped by hand fails in each language."""
     assert kinsym("derive", PLANAR, "-o", "x", "--quiet") == 0
@@ -215,6 +216,7 @@ def test_wrong_input(kinsym: Run, arguments: list[str], message: str) -> None:
     assert Path("file").read_text() == "mine"
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_locks_of_the_command_line(kinsym: Run) -> None:
     """They stand in place of the file's; the report keeps them, so that the check needs no option."""
     assert kinsym("derive", "kuka_iiwa", "--lock", "theta5=-30deg", "--target", "numpy", "--quiet", "-o", "x") == 0
@@ -253,10 +255,11 @@ def test_help_loads_nothing_heavy() -> None:
         "import sys; from kinsym.cli import main; main(['--help']); "
         "print([name for name in ('sympy', 'numpy', 'jinja2') if name in sys.modules])"
     )
-    start = time.perf_counter()
+    before = os.times()
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
     assert out.splitlines()[-1] == "[]"
-    assert time.perf_counter() - start < 1.0
+    after = os.times()  # of the processor, which other programs do not lengthen as they do the time of day
+    assert after.children_user + after.children_system - before.children_user - before.children_system < 1.0
 
 
 def test_a_closed_pipe_does_not_stop_the_work(tmp_path: Path) -> None:
@@ -300,6 +303,7 @@ def test_a_failed_check_is_told_and_written(kinsym: Run, monkeypatch: pytest.Mon
     assert json.loads((kinsym.folder / PLANAR / f"{PLANAR}.report.json").read_text())["checked"] == "failed"
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_without_a_compiler(kinsym: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     """The C is written, the report says that it was not compiled, and the rest is checked."""
     monkeypatch.setattr("kinsym.check.sources.find_compiler", lambda: None)
@@ -314,7 +318,7 @@ def test_without_a_compiler(kinsym: Run, monkeypatch: pytest.MonkeyPatch) -> Non
 
 def test_no_closed_form(kinsym: Run) -> None:
     """Seven axes that neither meet nor are parallel: status 1, what blocks it, nothing written."""
-    rows = "; ".join(f"alpha{i} a{i} d{i} theta{i}" for i in range(1, 8))
+    rows = "; ".join(f"pi/2 a{i} d{i} theta{i}" for i in range(1, 8))
     assert kinsym("derive", "--dh", rows, "--convention", "paul", "--name", "general", "--task", "pose") == 1
     assert "7 joints are more than" in kinsym.err
     assert os.listdir(kinsym.folder) == []

@@ -15,6 +15,9 @@ REPEATED = 1e-6
 HALFWAY = 1e-12
 CROWDED = 1e-3
 EXACT = 1e-40
+STILL = 1e-25
+"""A step that short, in radians and units of the arm, has doubled its digits to all 50: the next would change nothing.
+A pose in doubles is no exact motion, so that no joint vector comes much nearer to it than 1e-17."""
 STEPS = 16
 SMALLEST_PIVOT = 1e-12
 LONGEST_STEP = 0.5
@@ -37,15 +40,15 @@ class Newton:
 
     def polished(self, q: Vector, rows: Matrix, length: Value) -> Vector | None:
         """The joint vector brought onto the pose by Newton's method; None if it does not get there."""
-        best, closest = q, self.ctx.inf
+        best, closest, moved = q, self.ctx.inf, self.ctx.inf
         for step in range(STEPS):
             reached = self.forward(q)
             off = self._off(reached, rows, length)
             if off < closest:
                 best, closest = q, off
-            if off < EXACT or (off > 0.1 and step >= 4) or (off > 1e-3 and step >= 7):
+            if off < EXACT or moved < STILL or (off > 0.1 and step >= 4) or (off > 1e-3 and step >= 7):
                 break
-            q = self._stepped(q, reached, rows, length)
+            q, moved = self._stepped(q, reached, rows, length)
         if closest >= self.accepted:
             return None
         return [self._wrapped(value) if kind == "R" else value for value, kind in zip(best, self.kinds, strict=True)]
@@ -59,8 +62,11 @@ class Newton:
             if j >= 2 or not self.spin
         )
 
-    def _stepped(self, q: Vector, reached: Matrix, rows: Matrix, length: Value) -> Vector:
-        """One Newton step, no longer than half a radian; motions that the pose does not feel are left alone."""
+    def _stepped(self, q: Vector, reached: Matrix, rows: Matrix, length: Value) -> tuple[Vector, Value]:
+        """One Newton step, no longer than half a radian, and its length.
+
+        Motions that the pose does not feel are left alone.
+        """
         ctx = self.ctx
         units = [unit for _, unit in self.in_units(q, length)]
         slope = [[entry * unit for entry, unit in zip(row, units, strict=True)] for row in self.jacobian(q)]
@@ -79,7 +85,7 @@ class Newton:
         step = _least(ctx, slope, error)
         size = ctx.norm(step)
         share = min(1, LONGEST_STEP / size) if size else 1
-        return [value + share * move * unit for value, move, unit in zip(q, step, units, strict=True)]
+        return [value + share * move * unit for value, move, unit in zip(q, step, units, strict=True)], share * size
 
     def in_units(self, q: Vector, length: Value) -> list[tuple[Value, Value]]:
         return [(value, length if kind == "P" else 1) for value, kind in zip(q, self.kinds, strict=True)]

@@ -86,7 +86,7 @@ class Settler:
         Two where roots met that had to be parted; the second, on branch ``twin``, is the first one's mirror image.
         """
         start = given.q
-        if self._distance(self._differences(start, goal)) <= goal.reach:
+        if self._distance(self._differences(self._forward(start), goal)) <= goal.reach:
             return [given]
         q, left = self._polished(start, goal)
         if left > max(goal.reach, CERTAIN if Mark.DOUBTFUL in mark else POLISHED):
@@ -137,18 +137,22 @@ class Settler:
     def _polish(self, q: Vector, goal: Goal) -> tuple[Vector, Value]:
         """Least squares from one start: the vector and its distance."""
         ctx = self._ctx
-        errors = self._differences(q, goal)
+        pose = self._forward(q)
+        errors = self._differences(pose, goal)
         left, caution, idle = self._distance(errors), ctx.mpf(1), 0
+        slopes: Matrix = []
         for _ in range(PASSES):
             if left <= NEAREST or idle >= IDLE:
                 break
             damping = max(left * caution, ctx.mpf(LEAST_DAMPING))
-            trial = self._moved(q, self._step(self._slopes(q, goal), errors, damping), goal)
-            missed = self._differences(trial, goal)
+            slopes = slopes or self._slopes(q, pose, goal)
+            trial = self._moved(q, self._step(slopes, errors, damping), goal)
+            there = self._forward(trial)
+            missed = self._differences(there, goal)
             reached = self._distance(missed)
             idle = 0 if left - reached > LEAST_GAIN * left else idle + 1
             if reached < left:
-                q, errors, left, caution = trial, missed, reached, caution / 10
+                q, pose, errors, left, caution, slopes = trial, there, missed, reached, caution / 10, []
             else:
                 caution *= 10
         return q, left
@@ -160,17 +164,16 @@ class Settler:
             for value, change, slides, moves in zip(q, step, self._slides, self._moves, strict=True)
         ]
 
-    def _differences(self, q: Vector, goal: Goal) -> Vector:
-        """What the forward kinematics miss of the pose, entry by entry of the task, lengths in sizes of the arm."""
-        reached = self._forward(q)
-        return [(reached[i][j] - goal.rows[i][j]) / (goal.size if j == POSITION else 1) for i, j in self._entries]
+    def _differences(self, pose: Matrix, goal: Goal) -> Vector:
+        """What a pose misses of the goal, entry by entry of the task, lengths in sizes of the arm."""
+        return [(pose[i][j] - goal.rows[i][j]) / (goal.size if j == POSITION else 1) for i, j in self._entries]
 
     def _distance(self, differences: Vector) -> Value:
         return self._ctx.sqrt(sum(value * value for value in differences))
 
-    def _slopes(self, q: Vector, goal: Goal) -> Matrix:
+    def _slopes(self, q: Vector, pose: Matrix, goal: Goal) -> Matrix:
         """The derivatives of the differences, a row for each joint. A column of the rotation moves by omega x it."""
-        pose, jacobian = self._forward(q), self._jacobian(q)
+        jacobian = self._jacobian(q)
         slopes = []
         for joint, slides in enumerate(self._slides):
             velocity = [row[joint] for row in jacobian]
@@ -188,8 +191,10 @@ class Settler:
     def _step(self, slopes: Matrix, errors: Vector, damping: Value) -> Vector:
         """The step that takes the errors away best, by the damped normal equations."""
         ctx = self._ctx
-        square = ctx.matrix([[ctx.fdot(left, right) for right in slopes] for left in slopes])
-        for number in range(len(slopes)):
-            square[number, number] += damping * damping
+        square = ctx.matrix(len(slopes))
+        for i, left in enumerate(slopes):
+            for j, right in enumerate(slopes[: i + 1]):
+                square[i, j] = square[j, i] = ctx.fdot(left, right)
+            square[i, i] += damping * damping
         side = ctx.matrix([-ctx.fdot(row, errors) for row in slopes])
         return list(ctx.cholesky_solve(square, side))

@@ -28,6 +28,7 @@ FAULTS = {
 
 @needs_compiler
 @pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.usefixtures("few_poses")
 def test_faults_are_found(fault: str) -> None:
     old, new, laws = FAULTS[fault]
     schedule = build_schedule(derivation(NAME))

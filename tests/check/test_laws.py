@@ -77,6 +77,7 @@ FAULTS = {
 
 
 @pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.usefixtures("few_poses")
 def test_faults_are_found(fault: str) -> None:
     """Each fault breaks the law that is there for it."""
     old, new, law = FAULTS[fault]

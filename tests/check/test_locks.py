@@ -92,6 +92,7 @@ FAULTS = {
 
 
 @pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.usefixtures("few_poses")
 def test_faults_are_found(fault: str) -> None:
     old, new, law = FAULTS[fault]
     found = derivation("kuka_iiwa")

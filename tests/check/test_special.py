@@ -38,6 +38,7 @@ FAULTS = {
 
 @needs_compiler
 @pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.usefixtures("few_poses")
 def test_faults_are_found(fault: str) -> None:
     language, old, new, law = FAULTS[fault]
     name = OTHERS.get(law or "", NAME)

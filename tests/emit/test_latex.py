@@ -24,6 +24,9 @@ from kinsym.emit.latex.layout import PAGE, Relation, aligned
 from kinsym.emit.latex.measure import width
 from kinsym.emit.latex.names import Names
 from kinsym.emit.latex.sentences import escape, prose
+from kinsym.emit.latex.tables import table_of
+from kinsym.robot import load
+from kinsym.robot.files import from_draft
 from tests.emit.sample import fanuc, planar_2r, tree
 
 HOSTILE = "50% of $x_1$ & #2 {~^} \\input{/etc/passwd}\n\\end{document} é Ω 漢字 \x07 <|> -- ``quotes'' " + "long" * 60
@@ -166,6 +169,23 @@ def test_lines_of_equations_fit_the_page() -> None:
         lines = [line for rows in blocks for row in rows for line in row]
         assert len(lines) > 4
         assert all(width(line.replace("&", "")) <= PAGE for line in lines)
+
+
+def test_a_table_that_is_too_wide_is_told_cell_by_cell() -> None:
+    """Numbers that were worked out elsewhere and stand in the cells as formulas."""
+    total = " + ".join(f"b{k}" for k in range(1, 25))
+    joints = [
+        {"type": "R", "alpha": "0", "a": total, "d": f"({total})/2", "theta": f"theta{k} + deg(30)"} for k in (1, 2)
+    ]
+    robot = from_draft({"name": "arm", "convention": "paul", "joints": joints}, where="test")
+    table = table_of(robot, LatexPrinter(Names([*robot.parameters, *robot.variables])))
+    lines = [line for rows in table.blocks for row in rows for line in row]
+    assert [left for line in lines if (left := line.partition("&")[0].strip())][:3] == [
+        rf"\text{{row 1: }} {name}" for name in (r"\alpha_i", "a_i", "d_i")
+    ]
+    assert all(width(line.replace("&", "")) <= PAGE for line in lines)
+    short = table_of(load("planar_rr"), LatexPrinter(Names(["l1", "l2", "theta1", "theta2"])))
+    assert (short.blocks, short.small) == ((), False)
 
 
 @needs_pdflatex

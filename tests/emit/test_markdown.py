@@ -155,6 +155,14 @@ def test_a_title_is_words() -> None:
     assert words("a\u202eb\x00c") == "abc"
 
 
+def test_locked_joints_are_named_with_their_values() -> None:
+    """An input of the solver, and one that stands at a value."""
+    assert "Locked: $\\theta_{3}$, an input of the inverse kinematics" in ks.load("kuka_iiwa").markdown()
+    held = ks.lock(ks.load("kuka_iiwa"), {"theta3": "pi/4", "theta5": "0.3"}).markdown()
+    check(held)
+    assert "Locked: $\\theta_{3} = \\pi/4$, $\\theta_{5} = 0.3$." in held
+
+
 def test_an_equation_alone_keeps_its_number() -> None:
     """The page of a method counts its equations, and sentences refer to them by that number."""
     page = METHODS["pieper"](ks.load("puma560"))

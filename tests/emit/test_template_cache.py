@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
 
@@ -58,3 +59,16 @@ def test_where_nothing_can_be_kept_nothing_is(tmp_path: Path, compiled: list[str
     assert rendered("{{ x }}", tmp_path / "none") == "2"
     assert not (tmp_path / "none").exists()
     assert compiled == ["{{ x }}"] * 2
+
+
+def test_what_cannot_be_moved_into_place_leaves_nothing(
+    tmp_path: Path, compiled: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A disk that is full at the last step: the page is there, and no half of a file."""
+
+    def full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "replace", full)
+    assert rendered("{{ x }}", tmp_path) == "2"
+    assert list(tmp_path.iterdir()) == []

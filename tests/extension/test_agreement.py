@@ -110,6 +110,7 @@ def test_every_law_is_kept(name: str) -> None:
     }
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_laws_see_a_wrong_package() -> None:
     """A package whose C or Python was changed fails, and not with a crash."""
     found = derivation("planar_rr")
@@ -127,6 +128,7 @@ def test_laws_see_a_wrong_package() -> None:
         assert law in {check.law for check in checks if check.status == FAILED}
 
 
+@pytest.mark.usefixtures("few_poses")
 @pytest.mark.parametrize(("missing", "words"), [("find_compiler", "no C compiler"), ("headers", "no Python.h")])
 def test_without_a_compiler(missing: str, words: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The package is written, and the report says that it was not built."""

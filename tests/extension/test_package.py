@@ -71,6 +71,7 @@ def test_the_readme_runs(tmp_path: Path) -> None:
         subprocess.run([sys.executable, "-c", snippet + "assert len(q)"], check=True, env=environment)
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_it_is_written_when_asked_for(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Beside other targets in a folder of its own; not among those that are written anyway."""
     assert not any("solver" in name for name in file_names(PLANAR))
@@ -83,6 +84,7 @@ def test_it_is_written_when_asked_for(tmp_path: Path, capsys: pytest.CaptureFixt
     assert set(report["files"]) == set(file_names(PLANAR, ("numpy", "extension")))
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_check_looks_at_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Passed as it was written; failed when its C is changed; a file that is missing is named."""
     assert main(["derive", PLANAR, "--target", "extension", "--quiet", "-o", str(tmp_path)]) == 0
@@ -106,6 +108,7 @@ def test_every_file_is_announced() -> None:
         assert list(rendered(found, build_schedule(found), (target,))) == file_names(name, (target,))
 
 
+@pytest.mark.usefixtures("few_poses")
 @pytest.mark.parametrize("name", ["core", "c", "src", "build", "py"])
 def test_names_of_its_own_files(name: str, tmp_path: Path) -> None:
     """A robot may be called as a file or folder of the package is; it is built and checked."""

@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 import pytest
 
+from kinsym.check.evaluate import exact
+from kinsym.check.newton import STEPS, Newton
 from kinsym.check.solvers import ExactSolver
 from kinsym.emit.program import build_schedule
 from tests.general.arms import derived, joint_vectors, module, nearest
@@ -35,3 +41,21 @@ def test_nothing_is_a_solution_of_a_pose_out_of_reach() -> None:
     solver = ExactSolver(build_schedule(derived("random1")), {})
     assert solver.inverse(pose[None], np.zeros((1, 6)))[1].tolist() == [0]
     assert solver.refuses(2 * np.eye(4))
+
+
+def test_newton_ends_when_a_step_changes_nothing() -> None:
+    """A pose in doubles is no exact rotation, so that its entries are never met to the last of 50 digits."""
+    ctx, _ = exact()
+    tried = []
+
+    def turned(q: Sequence[Any]) -> list[list[Any]]:
+        tried.append(q)
+        c, s = ctx.cos(q[0]), ctx.sin(q[0])
+        return [[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0]]
+
+    newton = Newton(ctx, "R", turned, lambda q: [[0]] * 5 + [[1]])
+    c, s = math.cos(0.7), math.sin(0.7)
+    found = newton.polished([ctx.mpf(0.6)], [[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0]], ctx.one)
+    assert found is not None
+    assert abs(found[0] - ctx.atan2(s, c)) < 1e-40
+    assert 3 < len(tried) < STEPS / 2

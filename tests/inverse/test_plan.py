@@ -9,6 +9,7 @@ from kinsym.deriving import derive
 from kinsym.errors import NoClosedForm
 from kinsym.inverse.plan import Definition, Plan, Step, Window
 from kinsym.inverse.search import derive_plan
+from kinsym.inverse.spin import spin_name
 from kinsym.kinematics.chain import build_chain
 from kinsym.robot import from_inline, load
 from kinsym.robot.model import Task
@@ -155,3 +156,10 @@ def test_too_many_joints_are_said_to_be_too_many() -> None:
             "-pi/2 0 d1 theta1; pi/2 0 0 theta2; -pi/2 0 d3 theta3; pi/2 0 0 theta4; "
             "-pi/2 0 d5 theta5; pi/2 0 0 theta6; 0 0 d7 theta7"
         )
+
+
+def test_the_joint_that_turns_the_tool_takes_no_name_of_the_table() -> None:
+    """Five joints that place a point and an axis, counted from two, so that the next name is one of theirs."""
+    rows = "; ".join(f"pi/2 a{k} d{k} theta{k}" for k in range(2, 7))
+    assert spin_name(build_chain(from_inline(rows, convention="paul"))) == "theta6_"
+    assert spin_name(build_chain(load("scorbot_5r"))) == "theta6"

@@ -3,12 +3,8 @@
 from __future__ import annotations
 
 import random
-import tomllib
 from collections import Counter
 from dataclasses import replace
-from importlib import resources
-from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -17,9 +13,9 @@ from kinsym.lecture.chapter import Chapter, Entry, chapter_of, chapters
 from kinsym.lecture.form import COUNTED, Likeness
 from kinsym.lecture.verdict import Truth, Verdict, failed_ways, verdict
 from kinsym.robot.files import RobotError
+from tests.lecture.files import FILES, content
 from tests.lecture.flips import slips_of
 
-FILES = sorted(path.name for path in (Path(str(resources.files("kinsym.lecture"))) / "equations").glob("*.toml"))
 SLIPS_AN_ENTRY = 2
 
 
@@ -27,12 +23,6 @@ SLIPS_AN_ENTRY = 2
 def found() -> list[Verdict]:
     """The verdicts on the whole lecture."""
     return list(verdicts())
-
-
-def content(file: str) -> dict[str, Any]:
-    """What a file of equations holds."""
-    path = Path(str(resources.files("kinsym.lecture"))) / "equations" / file
-    return tomllib.loads(path.read_text("utf-8"))
 
 
 def test_every_entry_is_accounted_for(found: list[Verdict]) -> None:

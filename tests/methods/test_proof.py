@@ -14,7 +14,7 @@ from kinsym.kinematics.chain import build_chain
 from kinsym.methods import METHODS
 from kinsym.methods.document import INVERSE, Factor, Matrix, Product
 from kinsym.methods.draft import Draft
-from kinsym.methods.proof import ProofFailed
+from kinsym.methods.proof import ProofFailed, Witness
 from kinsym.robot import from_inline, gallery, load
 from tests.arms import SHAPES
 
@@ -51,6 +51,22 @@ def test_a_root_must_be_that_of_the_joint(draft: Draft) -> None:
     draft.state("either", Sym("s2"), PlusMinus(None, Call("sqrt", (sub(number(1), Pow(C2, 2)),))))
     with pytest.raises(ProofFailed):
         draft.state("other", Sym("s2"), Call("sqrt", (sub(number(2), Pow(C2, 2)),)))
+
+
+def test_what_has_no_value_is_no_proof() -> None:
+    """A matrix beside a number, two values where one is wanted, a number where an angle stands, and the reverse."""
+    at = Witness(numbers={"c1": 3}, angles={"theta1": (3, 5)})
+    with pytest.raises(ProofFailed, match="a matrix is said to equal a number"):
+        at.holds(Matrix(((C1,),)), C1)
+    with pytest.raises(ProofFailed, match="has 2 values where one is expected"):
+        at.value(PlusMinus(None, C1))
+    with pytest.raises(ProofFailed, match="is no number"):
+        at.values(Call("atan2", (C1, C1)))
+    with pytest.raises(ProofFailed, match="is no angle"):
+        at.directions(Quot(Sym("theta1"), C1))
+    assert at.directions(number(0)) == {(1, 0)}
+    assert at.holds(Call("abs", (negated(C1),)), C1)
+    assert not at.holds(Call("abs", (C1,)), number(2))
 
 
 def test_matrices(draft: Draft) -> None:

@@ -147,6 +147,7 @@ def test_a_parameter_without_a_number_gets_a_slider_and_one_with_a_number_none()
     assert re.findall(r'data-parameter="(\d)"', page.text) == ["0", "1", "2"]
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_the_command_writes_the_page_with_its_checks(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     target = tmp_path / "arm.html"
     assert main(["report", "planar_rr", "-o", str(target)]) == 0

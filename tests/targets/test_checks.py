@@ -27,6 +27,7 @@ def outcome(folder: Path) -> dict[tuple[str, str], str]:
     return {(check["subject"], check["law"]): check["status"] for check in checks}
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_files_that_are_written_are_checked_and_checked_again(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -53,6 +54,7 @@ def test_files_that_are_written_are_checked_and_checked_again(
     assert "gudel_fp1.hpp is not what kinsym would write today: it was changed" in said
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_other_targets_of_a_robot_without_numbers_are_still_checked(tmp_path: Path) -> None:
     """check asks for the targets that are there: ikfast would refuse parameters without a value."""
     assert main(["derive", "planar_rr", "--target", "numpy", "-o", str(tmp_path), "--quiet", "--no-check"]) == 0
@@ -60,6 +62,7 @@ def test_other_targets_of_a_robot_without_numbers_are_still_checked(tmp_path: Pa
     assert main(["derive", "planar_rr", "--target", "ikfast", "-o", str(tmp_path), "--quiet"]) == 2
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_without_a_compiler_they_are_written_unchecked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", str(tmp_path / "nothing"))
     monkeypatch.delenv("CXX", raising=False)
@@ -67,6 +70,7 @@ def test_without_a_compiler_they_are_written_unchecked(tmp_path: Path, monkeypat
     assert outcome(tmp_path)["ikfast", "compiles without a warning"] == "not run"
 
 
+@pytest.mark.usefixtures("few_poses")
 @pytest.mark.parametrize("name", ["core", "fk", "own", "Pose"])
 def test_a_robot_may_be_called_as_what_is_in_the_header(name: str, tmp_path: Path) -> None:
     table = ["--dh", "0 l1 0 theta1", "--convention", "paul", "--bind", "l1=0.4", "--name", name]

@@ -21,6 +21,7 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_derive_a_ur5_with_rounded_numbers(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Eight solutions, all checks pass, and terminal and report say what was read otherwise; so does a later check."""
     write(here, ur5("1.5708"))
@@ -43,6 +44,7 @@ def test_derive_a_ur5_with_rounded_numbers(here: Path, capsys: pytest.CaptureFix
     assert json.loads(path.read_text()) == report
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_check_takes_the_table_as_it_is(here: Path) -> None:
     """A table derived with --exact holds numbers that a second reading would make special."""
     rows = "0 0.4 0 theta1+1.5708; 0 0.3 0 theta2"
@@ -66,6 +68,7 @@ def test_exact_and_snap_on_a_table(here: Path, capsys: pytest.CaptureFixture[str
     assert main([*rows, "--snap", "1e-3", "--exact"]) == 2
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_planar_arm_from_urdf(here: Path) -> None:
     write(here, planar())
     assert main(["derive", "arm.urdf", "--quiet"]) == 0
@@ -103,6 +106,7 @@ def test_import_replaces_only_what_it_is_told(here: Path, capsys: pytest.Capture
     assert capsys.readouterr().out == ""
 
 
+@pytest.mark.usefixtures("few_poses")
 def test_names_of_links_and_joints_are_only_text(here: Path) -> None:
     """Quotes, comment signs and line ends in names change neither the robot file nor the sources."""
     odd = escape('% $ # { \\ */ """ ?>\u2028', {'"': "&quot;", "\u2028": "&#10;name = 1"})
