@@ -6,8 +6,11 @@ what depends on theta1's branch once for each of its values, and so on.
 
 from __future__ import annotations
 
+from dataclasses import replace
+from fractions import Fraction
+
 from kinsym.algebra.convert import tree_of
-from kinsym.algebra.tree import ONE, ZERO, Call, Definition, Prod, Quot, Sym, Tree, mul, symbols
+from kinsym.algebra.tree import ONE, ZERO, Call, Definition, Num, Prod, Quot, Sym, Tree, add, mul, symbols
 from kinsym.derivation import Derivation, Nominal
 from kinsym.emit.frames import jacobian_by_frames
 from kinsym.emit.schedule import Assign, JointName, NominalStarts, Note, Parameter, Schedule, Solve, Statement
@@ -18,6 +21,9 @@ from kinsym.inverse.assemble import constant_lengths
 from kinsym.inverse.plan import Item, Plan, Step, Window
 from kinsym.inverse.rules import TITLES
 from kinsym.robot.summary import digest, table_lines
+
+OFF_ZERO = Num(Fraction(1, 10**30))
+"""What a link is longer by than it is: too little to change a length, enough to have a direction where it has none."""
 
 
 def build_schedule(derivation: Derivation) -> Schedule:
@@ -71,6 +77,15 @@ def _nominal(nominal: Nominal, variables: tuple[str, ...]) -> NominalStarts:
         band=nominal.stand_in.band,
         deviation=nominal.stand_in.deviation,
     )
+
+
+def _second_link(step: Step) -> str | None:
+    """The coefficient of a two-link triangle without which its second link has no length."""
+    link = step.inputs["l2"] if step.rule == "triangle" else None
+    if not isinstance(link, Sym):
+        return None
+    value = next((item.value for item in step.coefficients if item.name == link.name), link)
+    return next(symbols(value)) if isinstance(value, Call) else link.name
 
 
 class _Levels:
@@ -166,13 +181,18 @@ class _Levels:
             return
         level = self.depth
         opener: list[Statement] = [Note(level=level, text=text)]
+        link = _second_link(step)
         for definition in step.coefficients:
-            if self._needs(definition.value) < level:
-                self.assign(definition)
+            value, known = definition.value, self._needs(definition.value)
+            if definition.name == link and known:
+                value = add(value, OFF_ZERO)
+                note = Note(level=known, text=f"{link}: a link that has no length keeps a direction")
+                (opener if known == level else self._body[known]).append(note)
+            if known < level:
+                self.assign(replace(definition, value=value))
                 continue
-            value = self._without_division(definition.value, level)
             self._level[definition.name] = level
-            opener.append(Assign(level=level, name=definition.name, value=value))
+            opener.append(Assign(level=level, name=definition.name, value=self._without_division(value, level)))
         self._openers.append([*opener, Solve(level=level, step=step)])
         self.depth += 1
         self._body.append([])
