@@ -21,7 +21,7 @@ from kinsym.check.batch import hold_batch, hold_single, hold_sweep
 from kinsym.check.control import hold_nearest, hold_status
 from kinsym.check.definition import hold_definition
 from kinsym.check.edges import Edges, edges, hold_edges, hold_same_edges, hold_same_rough
-from kinsym.check.interface import Questions, hold_interface, hold_same_marks
+from kinsym.check.interface import hold_interface, hold_same_marks
 from kinsym.check.laws import CLOSURE, FORWARD, PATH, Judge
 from kinsym.check.ledger import Ledger
 from kinsym.check.nominal import with_nominal_samples
@@ -36,6 +36,7 @@ from kinsym.check.poses import (
     held_samples,
     lengths_of,
 )
+from kinsym.check.questions import Questions
 from kinsym.check.shapes import hold_shapes
 from kinsym.check.singular import volume_of
 from kinsym.check.singular_set import hold_singular_set

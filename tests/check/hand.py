@@ -142,6 +142,7 @@ TAU = 2.0**-46
 
 
 def fk(q, *, l1=0.6, l2=0.4):
+    _finite([l1, l2], "parameters")
     q = np.asarray(q, dtype=float)
     a, b = q[..., 0], q[..., 0] + q[..., 1]
     T = np.zeros((*q.shape[:-1], 4, 4))
@@ -241,18 +242,20 @@ def _inside(found, limits, most):
     if not ((low <= high) & (low < np.inf) & (high > -np.inf)).all():
         raise ValueError("the limits must be intervals")
     wound = [
-        q + 2 * np.pi * np.array(turns)
-        for q in found
+        (*(q + 2 * np.pi * np.array(turns)), row)
+        for row, q in enumerate(found)
         for turns in itertools.product(*(range(-m, m + 1) for m in np.broadcast_to(most(limits), 2)))
     ]
-    wound = np.array(wound).reshape(-1, 2)
-    return wound[((wound >= low) & (wound <= high)).all(axis=1)]
+    wound = np.array(wound).reshape(-1, 3)
+    wound = wound[((wound[:, :2] >= low) & (wound[:, :2] <= high)).all(axis=1)]
+    return wound[:, :2], wound[:, 2].astype(int)
 
 
 def within(T, *, limits=None, reference=None, l1=0.6, l2=0.4):
     found = solve(T, reference=reference, l1=l1, l2=l2)
-    wound = _inside(found.q, limits, lambda ends: np.where(np.isfinite(ends).all(axis=1), 3, 0))
-    return found._replace(q=wound)
+    wound, rows = _inside(found.q, limits, lambda ends: np.where(np.isfinite(ends).all(axis=1), 3, 0))
+    marks = [part[rows] for part in found[1:5]]
+    return Solved(wound, *marks, found.status if len(rows) or found.status == "not a pose" else "unreachable")
 
 
 def nearest(T, reference, *, weights=None, limits=None, l1=0.6, l2=0.4):
@@ -262,7 +265,7 @@ def nearest(T, reference, *, weights=None, limits=None, l1=0.6, l2=0.4):
     weights = _finite(np.ones(2) if weights is None else weights, "weights")
     if (weights < 0).any():
         raise ValueError("a weight must not be negative")
-    wound = _inside(found.q, limits, lambda ends: 3)
+    wound, _ = _inside(found.q, limits, lambda ends: 3)
     way = wound - reference
     return wound[np.argmin((weights * way * way).sum(axis=1))] if len(way) else None
 """

@@ -9,10 +9,11 @@ from kinsym.check.batch import SINGLE_LAW
 from kinsym.check.compare import compare
 from kinsym.check.control import NEAREST_LAW, STATUS_LAW
 from kinsym.check.examination import ERROR_LAW, FORWARD_LAW, JACOBIAN_LAW
-from kinsym.check.interface import DEFAULT_LAW, INPUT_LAW, INSIDE_LAW, MARK_LAW, TABLE_LAW, WITHIN_LAW
+from kinsym.check.interface import DEFAULT_LAW, INPUT_LAW, MARK_LAW, TABLE_LAW
 from kinsym.check.report import FAILED, at_most
 from kinsym.check.sources import IMPORT
 from kinsym.check.strange import FAR_LAW, REFUSE_LAW
+from kinsym.check.windings import INSIDE_LAW, WITHIN_LAW
 from tests.check import hand
 
 
@@ -61,6 +62,8 @@ FAULTS = {
     "branches from one": ("np.flatnonzero(valid)", "np.flatnonzero(valid) + 1", MARK_LAW),
     "a turn too few": (".all(axis=1), 3, 0)", ".all(axis=1), 0, 0)", WITHIN_LAW),
     "wound without an end": (".all(axis=1), 3, 0)", ".all(axis=1), 3, 1)", WITHIN_LAW),
+    "windings with another's marks": ("part[rows] for", "part[rows[::-1]] for", WITHIN_LAW),
+    "a status of windings that is wrong": ('else "unreachable")', 'else "solved")', WITHIN_LAW),
     "the nearest outside": (
         "_inside(found.q, limits, lambda ends: 3)",
         "_inside(found.q, None, lambda ends: 3)",
@@ -68,6 +71,7 @@ FAULTS = {
     ),
     "limits of another table": ("LIMITS = ((-np.inf,", "LIMITS = ((-3.0,", TABLE_LAW),
     "another default": ("def jacobian(q, *, l1=0.6, l2=0.4)", "def jacobian(q, *, l1=0.61, l2=0.4)", DEFAULT_LAW),
+    "forward kinematics of no numbers": ('    _finite([l1, l2], "parameters")\n    q = np', "    q = np", INPUT_LAW),
     "limits taken as they are": ("(low <= high) & ", "", INPUT_LAW),
     "a weight below zero": ("(weights < 0).any()", "False", INPUT_LAW),
     "a reference that is no number": ('reference, "a reference")', '1.0, "a reference")', INPUT_LAW),

@@ -31,7 +31,8 @@ class Inputs:
 
     ``T`` (m, 4, 4) are poses, ``q`` (m, n) references for them. ``firm`` (m,) tells where everything is determined;
     elsewhere, if not ``loose`` (m,), it is but for the bands in which roots merge, and where two singularities meet a
-    solution must be found.
+    solution must be found. ``noise`` (m,) is how far the entries of a rotation may be off: a pose tells no more than
+    that of its solutions.
     ``turned`` (k, n) are joint vectors with many turns. ``limits`` are pairs (n, 2), ``weights`` (n,).
     """
 
@@ -41,6 +42,7 @@ class Inputs:
     q: Floats
     firm: np.ndarray
     loose: np.ndarray
+    noise: Floats
     turned: Floats
     odd: dict[str, Floats]
     limits: list[Floats]
@@ -68,12 +70,14 @@ def inputs(derivation: Derivation, schedule: Schedule, parameters: Mapping[str, 
     poses = [kind.T[:share] for kind in kinds] + [stress.kinematics.forward(plain)]
     vectors = [kind.q[:share] for kind in kinds] + [plain]
     near = [np.where(kind.name == PAIR, -1.0, kind.distance[:share]) for kind in kinds] + [np.full(len(plain), np.inf)]
+    noise = np.zeros(sum(map(len, near)) + FAR)
     for size in NOISE:
         noisy = poses[-1][:GENERAL].copy()
         noisy[:, :3, :3] += rng.uniform(-size, size, noisy[:, :3, :3].shape)
         poses.insert(0, noisy)
         vectors.insert(0, plain[: len(noisy)])
         near.insert(0, np.full(len(noisy), np.inf))
+        noise = np.concatenate([np.full(len(noisy), size), noise])
     far = outward(poses[-1][:FAR], stress.kinematics.size)
     poses.append(far)
     vectors.append(plain[: len(far)])
@@ -92,6 +96,7 @@ def inputs(derivation: Derivation, schedule: Schedule, parameters: Mapping[str, 
         q=q,
         firm=np.concatenate(near) > MERGED,
         loose=np.concatenate(near) < 0.0,
+        noise=noise,
         turned=rng.uniform(-1.0, 1.0, (40, n)) * np.logspace(0, 6, 40)[:, None],
         odd=malformed(poses[-2][0]),
         limits=limits,

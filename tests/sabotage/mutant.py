@@ -21,7 +21,7 @@ CHANGE = 1e-6
 
 @dataclass(frozen=True, kw_only=True)
 class Mutant:
-    """One change: its kind, where it is, what stood there and what stands there now.
+    """One change: its kind, where it is (of a text the line and the column), what stood there and what does now.
 
     ``make`` gives the changed text, or the changed schedule of a plan.
     """
@@ -47,7 +47,7 @@ def text_mutants(language: str, text: str, changes: Iterable[Change]) -> list[Mu
         Mutant(
             language=language,
             kind=kind,
-            where=f"line {text.count(chr(10), 0, start) + 1}",
+            where=f"line {text.count(chr(10), 0, start) + 1}:{start - text.rfind(chr(10), 0, start)}",
             before=_around(text, start, end, text[start:end]),
             after=_around(text, start, end, new),
             make=partial(_changed, text, start, end, new),
