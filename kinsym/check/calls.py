@@ -199,8 +199,10 @@ class CCalls:
         """Solutions (m, n) with the three numbers of each of their marks (m, 3)."""
         branch, free, border = marks.T
         family = np.array([self.call("family", int(bits)) for bits in free], dtype=np.uint32)
-        spread = ((bits[:, None] >> np.arange(self._n, dtype=np.uint32)) & 1 != 0 for bits in (free, border, family))
-        return Marked(q, branch.astype(np.intp), *spread, status)
+        free, border, family = (
+            (bits[:, None] >> np.arange(self._n, dtype=np.uint32)) & 1 != 0 for bits in (free, border, family)
+        )
+        return Marked(q, branch.astype(np.intp), free, border, family, status)
 
     def given_with(self, parameters: Mapping[str, float]) -> Any:
         """The struct of parameters and locked inputs with some of them changed."""

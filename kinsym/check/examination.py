@@ -44,7 +44,7 @@ from kinsym.check.solvers import CSolver, ExactSolver, Floats, NumpySolver, Solu
 from kinsym.check.strange import NOISE, hold_far, hold_noise, hold_refusals
 from kinsym.check.table import TableKinematics
 from kinsym.check.task import sifted, task_jacobian
-from kinsym.check.vanishing import Special, hold_special, special_values
+from kinsym.check.vanishing import Special, hold_regular, hold_special, special_values
 from kinsym.emit.schedule import Schedule
 from kinsym.robot.model import Robot
 
@@ -130,6 +130,8 @@ class Examination:
     def hold_exact(self) -> Solutions:
         """The laws of the exact walk, and its answers to the poses it sees."""
         hold_definition(self.ledger, self.exact, self.table, q=self.q[self._rows], slopes=self.q[self._slopes])
+        if self.number == 0 and not self.schedule.general:
+            hold_regular(self.ledger, self.exact.name, self._special)
         oracle = self.exact.inverse(self.poses[self.some], self.q[self.some])
         self.answers.hold(self.ledger, self.exact.name, oracle, self.some)
         hold_refusals(self.ledger, self.exact, self.poses[0])
