@@ -6,7 +6,9 @@ A call that is refused returns the word for what was wrong: "not a pose", "param
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
@@ -64,6 +66,9 @@ class Calls(Protocol):
     def refusing_forward(self, q: Floats, parameters: Mapping[str, float]) -> dict[str, bool]:
         """Which functions of one joint vector (n,) refuse parameters that are no numbers, if the language does so."""
 
+    def spared(self, pose: Floats, q: Floats, values: Mapping[str, float]) -> dict[str, bool]:
+        """Which functions say the same of a pose, or of q (n,), with these values and where they are left out."""
+
     def tables(self) -> dict[str, Any]:
         """Names of branches, limits and the values of parameters, where the language holds them."""
 
@@ -103,19 +108,32 @@ class _NumpyCalls:
         given = {**self._target.given(q), **parameters}
         module = self._module
         every = {"ik": module.ik, "ik_batch": module.ik_batch, "solve": module.solve, "within": module.within}
-        told = {name: self._refuses(call, pose, **given) for name, call in every.items()}
-        return {**told, "nearest": self._refuses(module.nearest, pose, q, **given)}
+        told = {name: self._refuses(parameters, call, pose, **given) for name, call in every.items()}
+        return {**told, "nearest": self._refuses(parameters, module.nearest, pose, q, **given)}
 
     def refusing_forward(self, q: Floats, parameters: Mapping[str, float]) -> dict[str, bool]:
         given = {**self._target.parameters, **parameters}
         every = {"fk": self._module.fk, "jacobian": self._module.jacobian}
-        return {name: self._refuses(call, q, **given) for name, call in every.items()}
+        return {name: self._refuses(parameters, call, q, **given) for name, call in every.items()}
 
-    def _refuses(self, call: Callable[..., Any], *arguments: Any, **given: Any) -> bool:
+    def spared(self, pose: Floats, q: Floats, values: Mapping[str, float]) -> dict[str, bool]:
+        module = self._module
+        calls: dict[str, Callable[..., Any]] = {name: getattr(module, name) for name in ("fk", "jacobian")}
+        still = {name: value for name, value in self._target.parameters.items() if name not in values}
+        told = {name: _alike(call(q, **still, **values), call(q, **still)) for name, call in calls.items()}
+        given = {name: value for name, value in self._target.given(q).items() if name not in values}
+        for name in ("ik", "ik_batch", "solve", "within", "nearest"):
+            call = partial(getattr(module, name), pose, **({"reference": q} if name == "nearest" else {}), **given)
+            told[name] = _alike(call(**values), call())
+        return told
+
+    def _refuses(self, wrong: Iterable[str], call: Callable[..., Any], *arguments: Any, **given: Any) -> bool:
+        """Whether a call is refused, and for the parameters that are wrong."""
         try:
             call(*arguments, **given)
         except ValueError as error:
-            return _word(error) == PARAMETER
+            named = all(re.search(rf"\b{name}\b", str(error)) for name in wrong)
+            return _word(error) == PARAMETER and named
         return False
 
     def tables(self) -> dict[str, Any]:
@@ -125,6 +143,15 @@ class _NumpyCalls:
 
     def _given(self, reference: Floats | None) -> dict[str, Any]:
         return dict(self._target.parameters) if reference is None else self._target.given(np.asarray(reference))
+
+
+def _alike(left: Any, right: Any) -> bool:
+    """Whether two answers are the same to the bit, part by part."""
+    if isinstance(left, tuple):
+        return len(left) == len(right) and all(map(_alike, left, right))
+    if left is None or isinstance(left, str):
+        return bool(left == right)
+    return right is not None and np.array_equal(left, right, equal_nan=True)
 
 
 def _word(error: ValueError) -> str:
@@ -194,6 +221,22 @@ class CCalls:
 
     def refusing_forward(self, q: Floats, parameters: Mapping[str, float]) -> dict[str, bool]:
         return {}
+
+    def spared(self, pose: Floats, q: Floats, values: Mapping[str, float]) -> dict[str, bool]:
+        schedule = self._target.schedule
+        if schedule.inputs or len(values) < len(schedule.parameters):
+            return {}
+        every = (self.given_with(values), None)
+        calls = {"ik_marked": self._one, "ik_batch": self._many}
+        return {name: _alike(*(call(pose, q, given) for given in every)) for name, call in calls.items()}
+
+    def _one(self, pose: Floats, q: Floats, given: Any) -> tuple[Any, ...]:
+        found, marks = np.zeros((self._most, self._n)), np.zeros((self._most, 3), dtype=np.uint32)
+        return self.call("ik_marked", pose, given, q, found, marks), found, marks
+
+    def _many(self, pose: Floats, q: Floats, given: Any) -> tuple[Any, ...]:
+        found, counts = np.zeros((self._most, self._n)), np.zeros(1, dtype=np.intc)
+        return self.call("ik_batch", pose, 1, given, q, found, counts), found, counts
 
     def _marked(self, q: Floats, marks: Any, status: str | None) -> Marked:
         """Solutions (m, n) with the three numbers of each of their marks (m, 3)."""

@@ -99,7 +99,7 @@ def _tables_hold(tables: Mapping[str, Any], schedule: Schedule) -> bool:
 
 
 def _hold_defaults(ledger: Ledger, target: NumpySolver | CSolver, calls: Calls, questions: Questions) -> None:
-    """Parameters are the table's; no reference is a reference of zeros, where no input has to come from it."""
+    """Parameters that are left out are the table's; no reference is one of zeros, unless an input comes from it."""
     schedule, q = questions.schedule, questions.q[:DEFAULT_POSES]
     values = {item.name: item.value for item in schedule.parameters if item.value is not None}
     told = target.defaults(q)
@@ -109,7 +109,10 @@ def _hold_defaults(ledger: Ledger, target: NumpySolver | CSolver, calls: Calls, 
         kinematics = TreeKinematics(schedule, values)
         wanted = (kinematics.forward(q), kinematics.jacobian(q)[..., kinematics.free])
         missed = told is None or not (close(told[0], wanted[0]) and close(told[1][..., kinematics.free], wanted[1]))
-    ledger.count(DEFAULT_LAW, target.name, 1, int(missed))
+    numbers = {name: as_float(value) for name, value in values.items()}
+    spared = calls.spared(questions.poses[0], q[0], numbers) if numbers else {}
+    wrong = int(missed) + sum(not same for same in spared.values())
+    ledger.count(DEFAULT_LAW, target.name, 1 + len(spared), wrong)
     if questions.schedule.inputs:
         return
     zeros = np.zeros(questions.q.shape[1])

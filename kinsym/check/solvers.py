@@ -162,6 +162,14 @@ class NumpySolver:
             return False
         return True
 
+    def refusal(self, poses: Floats) -> str:
+        """Why ``ik_batch`` refuses poses (m, 4, 4); empty if it does not."""
+        try:
+            self.module.ik_batch(poses, **self.parameters, **{name: 0.0 for _, name in self._inputs})
+        except ValueError as error:
+            return str(error)
+        return ""
+
 
 class ExtensionSolver(NumpySolver):
     """A generated Python package, built and imported; its interface is that of the NumPy module."""
@@ -249,7 +257,7 @@ class CSolver:
         given, self.given = self.given, None
         poses, slopes = self.forward(q), self.jacobian(q)
         batch, self.given = self.forward_batch(q), given
-        if not np.array_equal(np.isnan(batch[:, :3]), np.isnan(poses[:, :3])):
+        if not np.allclose(batch[:, :3], poses[:, :3], equal_nan=True):
             return poses, np.full_like(slopes, np.nan)
         refused = np.isnan(slopes).all() or np.array_equal(slopes, self.jacobian(q))
         return None if np.isnan(poses[:, :3]).all() and refused else (poses, slopes)

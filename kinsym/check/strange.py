@@ -19,11 +19,14 @@ NOISE_LAW = "rotations known to nine digits are solved"
 
 
 def hold_refusals(ledger: Ledger, solver: Solver, pose: Floats) -> None:
-    """What is no pose is refused; ``pose`` (4, 4) is one."""
+    """What is no pose is refused, among others by its place; ``pose`` (4, 4) is one."""
     cases = malformed(pose)
+    among = np.array([pose, pose, cases["reflection"], pose])
     if isinstance(solver, NumpySolver):
         cases |= {"a 3x4 array": pose[:3], "a vector": pose[0], "a 3x3 array": pose[:3, :3]}
     missed = [name for name, case in cases.items() if not solver.refuses(case)]
+    if isinstance(solver, NumpySolver) and "pose 2 " not in solver.refusal(among):
+        missed.append("another place of a bad pose")
     note = "answered: " + ", ".join(missed) if missed else ""
     ledger.count(REFUSE_LAW, solver.name, len(cases), len(missed), note=note)
 

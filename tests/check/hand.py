@@ -142,7 +142,7 @@ TAU = 2.0**-46
 
 
 def fk(q, *, l1=0.6, l2=0.4):
-    _finite([l1, l2], "parameters")
+    _finite([l1, l2], "l1, l2")
     q = np.asarray(q, dtype=float)
     a, b = q[..., 0], q[..., 0] + q[..., 1]
     T = np.zeros((*q.shape[:-1], 4, 4))
@@ -175,7 +175,7 @@ def ik_batch(T, *, reference=None, l1=0.6, l2=0.4):
     fine = (G <= 1e-6) & (np.linalg.det(np.where(np.isfinite(R), R, 0.0)) > 0)
     fine &= (np.abs(T[..., :3, 3]).sum(axis=-1) < 1e150) & (np.abs(T[..., 3, :] - [0, 0, 0, 1]).max(axis=-1) <= 1e-9)
     if not np.all(fine):
-        raise ValueError("no pose")
+        raise ValueError(f"pose {np.argmin(np.ravel(fine))} is none")
     x, y = T[..., 0, 3], T[..., 1, 3]
     r2 = x * x + y * y
     t = TAU * (l1 + l2)
@@ -218,8 +218,8 @@ def _finite(values, what):
 
 
 def _lengths(l1, l2):
-    if not np.all(_finite([l1, l2], "parameters")):
-        raise ValueError("parameters must not vanish")
+    if not np.all(_finite([l1, l2], "l1, l2")):
+        raise ValueError("l1, l2 must not vanish")
 
 
 def solve(T, *, reference=None, l1=0.6, l2=0.4):

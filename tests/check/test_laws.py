@@ -49,6 +49,12 @@ FAULTS = {
         RANGE_LAW,
     ),
     "reflection answered": ("np.linalg.det(np.where(np.isfinite(R), R, 0.0)) > 0", "True", REFUSE_LAW),
+    "a bad pose at another place": ("np.argmin(np.ravel(fine))", "np.argmax(np.ravel(fine))", REFUSE_LAW),
+    "another default of nearest": (
+        "weights=None, limits=None, l1=0.6",
+        "weights=None, limits=None, l1=0.600001",
+        DEFAULT_LAW,
+    ),
     "single and batch differ": ("return q[valid]", "return q[valid][::-1]", SINGLE_LAW),
     "noise refused": ("G <= 1e-6", "G <= 1e-12", ERROR_LAW),
     "parameter ignored": (
@@ -71,7 +77,7 @@ FAULTS = {
     ),
     "limits of another table": ("LIMITS = ((-np.inf,", "LIMITS = ((-3.0,", TABLE_LAW),
     "another default": ("def jacobian(q, *, l1=0.6, l2=0.4)", "def jacobian(q, *, l1=0.61, l2=0.4)", DEFAULT_LAW),
-    "forward kinematics of no numbers": ('    _finite([l1, l2], "parameters")\n    q = np', "    q = np", INPUT_LAW),
+    "forward kinematics of no numbers": ('    _finite([l1, l2], "l1, l2")\n    q = np', "    q = np", INPUT_LAW),
     "limits taken as they are": ("(low <= high) & ", "", INPUT_LAW),
     "a weight below zero": ("(weights < 0).any()", "False", INPUT_LAW),
     "a reference that is no number": ('reference, "a reference")', '1.0, "a reference")', INPUT_LAW),

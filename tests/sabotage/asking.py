@@ -20,11 +20,11 @@ _Rows = Sequence[tuple[Floats, Floats]]
 
 
 def say(told: Transcript, label: str, call: Callable[..., Any], *arguments: Any, **given: Any) -> None:
-    """Put an answer into a transcript, or the name of the error that came instead."""
+    """Put an answer into a transcript, or the error that came instead."""
     try:
         told[label] = flat(call(*arguments, **given))
     except Exception as error:
-        told[label] = type(error).__name__
+        told[label] = f"{type(error).__name__}: {error}"
 
 
 def controller(calls: Calls, each: Inputs) -> Transcript:

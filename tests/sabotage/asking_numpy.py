@@ -63,6 +63,12 @@ def _odd(told: Transcript, solver: NumpySolver, each: Inputs) -> None:
     for k, near in enumerate((*broken_vectors(q), q[:-1], "x")):
         for call in calls:
             say(told, f"{call.__name__} near {k}", call, T, reference=near, **given)
+    say(told, "the number of a bad pose", module.ik_batch, np.array([T, T, each.odd["zero rotation"], T]), **given)
+    values = {item: value for item, value in dict(module.PARAMETERS).items() if value is not None}
+    left = {name: value for name, value in given.items() if name not in values}
+    for call in calls:
+        say(told, f"{call.__name__} with defaults", call, T, reference=q, **left)
+    say(told, "nearest with defaults", module.nearest, T, q, **left)
     for k, many in enumerate((q[:-1], np.array([["x"]]))):
         for call in (module.fk, module.jacobian):
             say(told, f"{call.__name__} of shape {k}", call, many, **each.parameters)
