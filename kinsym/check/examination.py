@@ -41,7 +41,7 @@ from kinsym.check.shapes import hold_shapes
 from kinsym.check.singular import volume_of
 from kinsym.check.singular_set import hold_singular_set
 from kinsym.check.solvers import CSolver, ExactSolver, Floats, NumpySolver, Solutions, Solver, TreeKinematics
-from kinsym.check.strange import NOISE, hold_far, hold_noise, hold_refusals
+from kinsym.check.strange import NOISE, hold_far, hold_noise, hold_refusals, hold_tilted
 from kinsym.check.table import TableKinematics
 from kinsym.check.task import sifted, task_jacobian
 from kinsym.check.vanishing import Special, hold_regular, hold_special, special_values
@@ -147,6 +147,7 @@ class Examination:
             self.answers.hold(self.ledger, target.name, answer, every)
             hold_refusals(self.ledger, target, self.poses[0])
             hold_far(self.ledger, target, self.exact, self.answers)
+            hold_tilted(self.ledger, target, self.answers)
             if not sifted(self.schedule):
                 hold_noise(self.ledger, target, self.answers, self._noisy_poses)
             if isinstance(target, NumpySolver):

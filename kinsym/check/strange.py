@@ -1,4 +1,4 @@
-"""The laws of poses that no joint vector made: out of reach, with noise, or none at all."""
+"""The laws of poses that no joint vector made: out of reach, tilted, with noise, or none at all."""
 
 from __future__ import annotations
 
@@ -12,9 +12,14 @@ from kinsym.robot.model import Task
 
 FAR_POSES = 12
 NOISE = 1e-9
+#: The samples' poses turned by so much about a line through the tool: an arm of few joints cannot take them.
+TILTS, TILTED_POSES = (1e-4, 0.3), 12
+#: Along no axis of any table, 1 long.
+LINE = (2 / 7, 3 / 7, 6 / 7)
 
 REFUSE_LAW = "what is no pose is refused"
 FAR_LAW = "no solution beyond the reach"
+TILT_LAW = "FK(IK(T)) = T for poses that may be none of the arm's"
 NOISE_LAW = "rotations known to nine digits are solved"
 
 
@@ -41,6 +46,24 @@ def hold_far(ledger: Ledger, solver: Solver, exact: ExactSolver, answers: Answer
     wanted = np.zeros(len(far)) if answers.judge.revolute.all() else exact.inverse(far, zeros)[1]
     wrong = (answer[1] != wanted) | ~(answers.closures(answer, far) <= CLOSURE)
     ledger.count(FAR_LAW, solver.name, len(far), int(wrong.sum()))
+
+
+def tilted(poses: Floats, angle: float) -> Floats:
+    """Poses (m, 4, 4) turned by an angle about :data:`LINE` through their origins (Rodrigues' formula)."""
+    x, y, z = LINE
+    across = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    turn = np.eye(3) + np.sin(angle) * across + (1.0 - np.cos(angle)) * across @ across
+    turned = poses.copy()
+    turned[:, :3, :3] = turn @ poses[:, :3, :3]
+    return turned
+
+
+def hold_tilted(ledger: Ledger, solver: Solver, answers: Answers) -> None:
+    """What is answered reaches the pose, also where an arm has fewer joints than the pose has numbers."""
+    some = answers.poses[:TILTED_POSES]
+    poses = np.concatenate([tilted(some, angle) for angle in TILTS])
+    reference = np.concatenate([answers.samples.q[: len(some)]] * len(TILTS))
+    ledger.judge(TILT_LAW, solver.name, answers.closures(solver.inverse(poses, reference), poses), CLOSURE)
 
 
 def hold_noise(ledger: Ledger, solver: Solver, answers: Answers, noisy: Floats) -> None:

@@ -12,6 +12,7 @@ import numpy as np
 from kinsym.check.answers import MERGED
 from kinsym.check.laws import Judge, malformed, outward
 from kinsym.check.solvers import Floats, as_float
+from kinsym.check.strange import tilted
 from kinsym.derivation import Derivation
 from kinsym.emit.schedule import Schedule
 from tests.stress.measure import PAIR, Stress
@@ -98,7 +99,8 @@ def inputs(derivation: Derivation, schedule: Schedule, parameters: Mapping[str, 
         loose=np.concatenate(near) < 0.0,
         noise=noise,
         turned=rng.uniform(-1.0, 1.0, (40, n)) * np.logspace(0, 6, 40)[:, None],
-        odd=malformed(poses[-2][0]),
+        odd=malformed(poses[-2][0])
+        | {f"a pose tilted by {angle:g}": tilted(poses[-2][:1], angle)[0] for angle in (1e-6, 1e-3, 1.0)},
         limits=limits,
         weights=[rng.uniform(0.1, 2.0, n), np.where(np.arange(n) % 2, 0.0, 1.0)],
     )
