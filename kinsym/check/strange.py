@@ -13,7 +13,7 @@ from kinsym.robot.model import Task
 FAR_POSES = 12
 NOISE = 1e-9
 #: The samples' poses turned by so much about a line through the tool: an arm of few joints cannot take them.
-TILTS, TILTED_POSES = (1e-4, 0.3), 12
+TILTS, TILTED_POSES = (1e-4, 0.3, 2.2), 12
 #: Along no axis of any table, 1 long.
 LINE = (2 / 7, 3 / 7, 6 / 7)
 
@@ -58,11 +58,12 @@ def tilted(poses: Floats, angle: float) -> Floats:
     return turned
 
 
-def hold_tilted(ledger: Ledger, solver: Solver, answers: Answers) -> None:
-    """What is answered reaches the pose, also where an arm has fewer joints than the pose has numbers."""
-    some = answers.poses[:TILTED_POSES]
-    poses = np.concatenate([tilted(some, angle) for angle in TILTS])
-    reference = np.concatenate([answers.samples.q[: len(some)]] * len(TILTS))
+def hold_tilted(ledger: Ledger, solver: Solver, answers: Answers, poses: Floats) -> None:
+    """What is answered reaches the pose, also where an arm has fewer joints than the pose has numbers.
+
+    ``poses`` (m, 4, 4) are the samples' first ones, tilted by one angle after the other.
+    """
+    reference = np.concatenate([answers.samples.q[: len(poses) // len(TILTS)]] * len(TILTS))
     ledger.judge(TILT_LAW, solver.name, answers.closures(solver.inverse(poses, reference), poses), CLOSURE)
 
 

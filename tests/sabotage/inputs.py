@@ -24,6 +24,7 @@ GENERAL = 12
 SINGLE = 60
 ORDINARY, FAR = 12, 8
 NOISE = (1e-13, 1e-9, 3e-7)
+TILTS = (1e-6, 1e-3, 1.0, 2.5)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -100,7 +101,7 @@ def inputs(derivation: Derivation, schedule: Schedule, parameters: Mapping[str, 
         noise=noise,
         turned=rng.uniform(-1.0, 1.0, (40, n)) * np.logspace(0, 6, 40)[:, None],
         odd=malformed(poses[-2][0])
-        | {f"a pose tilted by {angle:g}": tilted(poses[-2][:1], angle)[0] for angle in (1e-6, 1e-3, 1.0)},
+        | {f"a pose tilted by {angle:g}": tilted(poses[-2][:1], angle)[0] for angle in TILTS},
         limits=limits,
         weights=[rng.uniform(0.1, 2.0, n), np.where(np.arange(n) % 2, 0.0, 1.0)],
     )
