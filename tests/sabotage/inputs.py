@@ -23,6 +23,7 @@ SPECIAL, RANDOM = 600, 150
 GENERAL = 12
 SINGLE = 60
 ORDINARY, FAR = 12, 8
+SLOW_SINGLE, SLOW_ORDINARY = 12, 4
 NOISE = (1e-13, 1e-9, 3e-7)
 TILTS = (1e-6, 1e-3, 1.0, 2.5)
 
@@ -36,6 +37,7 @@ class Inputs:
     solution must be found. ``noise`` (m,) is how far the entries of a rotation may be off: a pose tells no more than
     that of its solutions.
     ``turned`` (k, n) are joint vectors with many turns. ``limits`` are pairs (n, 2), ``weights`` (n,).
+    A ``slow`` solver, one without a closed form, is asked of fewer poses one by one.
     """
 
     parameters: dict[str, float]
@@ -49,17 +51,18 @@ class Inputs:
     odd: dict[str, Floats]
     limits: list[Floats]
     weights: list[Floats]
+    slow: bool
 
     @property
     def single(self) -> np.ndarray:
         """The rows that functions for one pose are asked of where each call is slow."""
         rows = np.flatnonzero(~self.loose)
-        return rows[np.unique(np.linspace(0, len(rows) - 1, SINGLE).astype(int))]
+        return rows[np.unique(np.linspace(0, len(rows) - 1, SLOW_SINGLE if self.slow else SINGLE).astype(int))]
 
     @property
     def ordinary(self) -> np.ndarray:
         """Rows at which rounding decides nothing: the last that are anywhere."""
-        return np.arange(len(self.q) - FAR - ORDINARY, len(self.q) - FAR)
+        return np.arange(len(self.q) - FAR - (SLOW_ORDINARY if self.slow else ORDINARY), len(self.q) - FAR)
 
 
 def inputs(derivation: Derivation, schedule: Schedule, parameters: Mapping[str, Fraction]) -> Inputs:
@@ -103,6 +106,7 @@ def inputs(derivation: Derivation, schedule: Schedule, parameters: Mapping[str, 
         odd=malformed(poses[-2][0])
         | {f"a pose tilted by {angle:g}": tilted(poses[-2][:1], angle)[0] for angle in TILTS},
         limits=limits,
+        slow=schedule.general is not None,
         weights=[rng.uniform(0.1, 2.0, n), np.where(np.arange(n) % 2, 0.0, 1.0)],
     )
 
