@@ -1,5 +1,6 @@
 """Mutants of one small arm: what changes a result is caught, what changes none is told from it, and nothing hangs."""
 
+import math
 from dataclasses import replace
 
 import pytest
@@ -12,6 +13,7 @@ from tests.sabotage.reasons import BANDS, LANES, REST, STARTS, WINDINGS, reason_
 from tests.sabotage.record import Record
 from tests.sabotage.run import CAUGHT, CRASHED, ENDLESS, EQUAL, LANGUAGES, STILLBORN, SURVIVED, Outcome, Sabotage
 from tests.sabotage.table import lines, percent, section
+from tests.sabotage.transcript import ROUNDING, difference
 
 ROBOT = "planar_rr"
 SAMPLE = 4
@@ -77,6 +79,20 @@ def test_names_of_sines_and_cosines():
     assert [turned(name) for name in ("c1", "s23", "c2m3", "c", "size", "cos", "m1")] == [
         "s1", "c23", "s2m3", "s", None, None, None
     ]  # fmt: skip
+
+
+def test_a_rotation_that_is_known_to_few_digits_tells_no_more_of_its_solutions(sabotage):
+    (each, *_), label = sabotage._inputs, "near solutions of choice 0"
+    good = {label: each.q[:, None].copy()}
+
+    def gap(row):
+        found = good[label].copy()
+        found[row] += 1e-8
+        return difference(good, {label: found}, [each]).size
+
+    assert each.noise[0] > 1e-7 > each.noise[each.ordinary[0]] == 0.0
+    assert 0.0 < gap(0) <= ROUNDING
+    assert gap(each.ordinary[0]) == math.inf
 
 
 @needs_compiler
