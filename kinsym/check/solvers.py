@@ -269,17 +269,19 @@ class CSolver:
         self._fk_batch(q.ctypes.data, len(q), self.given, poses.ctypes.data)
         return poses
 
-    def inverse_batch(self, poses: Floats, reference: Floats) -> Solutions:
+    def inverse_batch(self, poses: Floats, reference: Floats) -> tuple[Floats, NDArray[np.intp], int]:
         """``NAME_ik_batch``: inputs come from each row of the reference (m, n), free joints from its first.
 
-        The numbers of solutions are negative where a pose was refused.
+        The numbers of solutions are negative where a pose was refused; behind them the number of poses that are said to
+        have a solution.
         """
         poses, first = np.ascontiguousarray(poses), np.ascontiguousarray(reference[0])
         values = [np.ascontiguousarray(reference[:, column]) for _, column in self._places]
         q, counts = np.full((len(poses), self._most, self._n), np.nan), np.zeros(len(poses), dtype=np.intc)
         arrays = [first, *values, q, counts]
-        self._ik_batch(poses.ctypes.data, len(poses), self.given, *(array.ctypes.data for array in arrays))
-        return np.where((np.arange(self._most) < counts[:, None])[..., None], q, np.nan), counts.astype(np.intp)
+        reached = self._ik_batch(poses.ctypes.data, len(poses), self.given, *(array.ctypes.data for array in arrays))
+        q = np.where((np.arange(self._most) < counts[:, None])[..., None], q, np.nan)
+        return q, counts.astype(np.intp), int(reached)
 
     def status(self, pose: Floats, reference: Floats) -> str:
         """What ``NAME_solve`` says of one pose (4, 4)."""
