@@ -71,7 +71,7 @@ def section(results: Mapping[tuple[str, str], Sequence[Outcome]], command: str) 
             "",
             "Not caught, and equal to good code in all that was asked; the terminal has each of them:",
         ]
-        text += ["", "| mutants | why the answers stay |", "|---|---|"]
+        text += ["", "| mutants | by the part of the code, why answers can stay |", "|---|---|"]
         counts = Counter(reason_of(one.robot, one.mutant) for one in quiet)
         text += [f"| {counts[reason]} | {reason} |" for reason in reasons() if counts[reason]]
     return text
