@@ -19,24 +19,25 @@ MANY_TURNS = 1e5
 TURNED = 5
 
 
-def hold_batch(ledger: Ledger, target: CSolver, judge: Judge, *, poses: Floats, q: Floats, noisy: Floats) -> None:
+def hold_batch(ledger: Ledger, target: CSolver, judge: Judge, *, poses: Floats, q: Floats, strange: Floats) -> None:
     """The same numbers of solutions, in the same order, whole turns aside.
 
-    ``poses`` (m, 4, 4) are those of ``q`` (m, n), ``noisy`` (k, 4, 4) the first of them, their rotations known to
-    fewer digits; free joints take 0 in both, joints that are held their value in q. What is no pose is refused among
-    others.
+    ``poses`` (m, 4, 4) are those of ``q`` (m, n), ``strange`` (k, 4, 4) poses that no joint vector made; free joints
+    take 0 in both, joints that are held their value in q. None is refused; what is no pose is, among others. How many
+    poses have a solution is told as well.
     """
-    poses, every = np.concatenate([poses, noisy]), q
-    q = np.concatenate([q, q[: len(noisy)]])
+    poses, every = np.concatenate([poses, strange]), q
+    q = np.concatenate([q, q[: len(strange)]])
     reference = np.where(judge.kinematics.free, 0.0, q)
-    (single, count), (batch, batch_count) = target.inverse(poses, reference), target.inverse_batch(poses, reference)
+    single, count = target.inverse(poses, reference)
+    batch, batch_count, reached = target.inverse_batch(poses, reference)
     found = np.arange(single.shape[1]) < count[:, None]
     with np.errstate(invalid="ignore"):  # a joint value that is not finite
         apart = np.abs(wrapped(batch - single, judge.revolute)).max(axis=-1)
     wrong = (batch_count != count) | (found & ~(apart <= SINGLE_LIMIT)).any(axis=1)
     cases = np.array(list(malformed(poses[0]).values()))
     answered = target.inverse_batch(cases, reference[: len(cases)])[1] >= 0
-    tried, failed = len(q) + len(cases), int(wrong.sum() + answered.sum())
+    tried, failed = len(q) + len(cases) + 1, int(wrong.sum() + answered.sum() + (reached != (count > 0).sum()))
     ledger.count(SINGLE_LAW, target.name, tried, failed, limit=f"<= {SINGLE_LIMIT:g}")
     far = every[:TURNED] * np.where(judge.revolute & judge.kinematics.free, MANY_TURNS, 1.0)
     every = np.concatenate([every, far])

@@ -6,7 +6,9 @@ A call that is refused returns the word for what was wrong: "not a pose", "param
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
@@ -24,14 +26,24 @@ _ROOM = 4096
 
 
 class Marked(NamedTuple):
-    """Solutions (m, n), their branches (m,), masks (m, n) of free joints, of border joints and of families."""
+    """Solutions (m, n), their branches (m,), masks (m, n) of free joints, of border joints and of families.
+
+    The status is None where the language does not tell it.
+    """
 
     q: Floats
     branch: Any
     free: Any
     border: Any
     family: Any
-    status: str
+    status: str | None
+
+
+class Nearest(NamedTuple):
+    """The joint vector (n,) nearest to a reference; the status of that solution where the language tells it."""
+
+    q: Floats
+    status: str | None
 
 
 class Calls(Protocol):
@@ -41,13 +53,21 @@ class Calls(Protocol):
         """Marked solutions of one pose (4, 4), or why it is refused."""
 
     def within(self, pose: Floats, reference: Floats | None, limits: Floats | None) -> Any:
-        """The joint vectors (w, n) inside limits (n, 2), or why the call is refused."""
+        """The marked joint vectors (w, n) inside limits (n, 2), or why the call is refused."""
 
     def nearest(self, pose: Floats, reference: Floats | None, weights: Floats | None, limits: Floats | None) -> Any:
-        """The nearest joint vector (n,), None if there is none, or why the call is refused."""
+        """The nearest of the joint vectors, None if there is none, or why the call is refused."""
 
     def refusing(self, pose: Floats, q: Floats, parameters: Mapping[str, float]) -> dict[str, bool]:
-        """Which functions of one pose refuse parameters that no solver is for; also those for many poses."""
+        """Which functions of one pose refuse parameters that no solver is for; also those for many poses.
+
+        Among the parameters may be the value of a locked joint."""
+
+    def refusing_forward(self, q: Floats, parameters: Mapping[str, float]) -> dict[str, bool]:
+        """Which functions of one joint vector (n,) refuse parameters that are no numbers, if the language does so."""
+
+    def spared(self, pose: Floats, q: Floats, values: Mapping[str, float]) -> dict[str, bool]:
+        """Which functions say the same of a pose, or of q (n,), with these values and where they are left out."""
 
     def tables(self) -> dict[str, Any]:
         """Names of branches, limits and the values of parameters, where the language holds them."""
@@ -55,7 +75,7 @@ class Calls(Protocol):
 
 def calls_of(target: NumpySolver | CSolver) -> Calls:
     """The calls of a language."""
-    return _CCalls(target) if isinstance(target, CSolver) else _NumpyCalls(target)
+    return CCalls(target) if isinstance(target, CSolver) else _NumpyCalls(target)
 
 
 class _NumpyCalls:
@@ -75,26 +95,45 @@ class _NumpyCalls:
             found = self._module.within(pose, reference=reference, limits=limits, **self._given(reference))
         except ValueError as error:
             return _word(error)
-        return NOT_A_POSE if found.status == NOT_A_POSE else np.asarray(found.q, dtype=np.float64)
+        return NOT_A_POSE if found.status == NOT_A_POSE else Marked(*found)
 
     def nearest(self, pose: Floats, reference: Floats | None, weights: Floats | None, limits: Floats | None) -> Any:
         try:
-            return self._module.nearest(pose, reference, weights=weights, limits=limits, **self._given(reference))
+            q = self._module.nearest(pose, reference, weights=weights, limits=limits, **self._given(reference))
         except ValueError as error:
             return _word(error)
+        return None if q is None else Nearest(np.asarray(q, dtype=np.float64), None)
 
     def refusing(self, pose: Floats, q: Floats, parameters: Mapping[str, float]) -> dict[str, bool]:
         given = {**self._target.given(q), **parameters}
         module = self._module
         every = {"ik": module.ik, "ik_batch": module.ik_batch, "solve": module.solve, "within": module.within}
-        told = {name: self._refuses(call, pose, **given) for name, call in every.items()}
-        return {**told, "nearest": self._refuses(module.nearest, pose, q, **given)}
+        told = {name: self._refuses(parameters, call, pose, **given) for name, call in every.items()}
+        return {**told, "nearest": self._refuses(parameters, module.nearest, pose, q, **given)}
 
-    def _refuses(self, call: Callable[..., Any], *arguments: Any, **given: Any) -> bool:
+    def refusing_forward(self, q: Floats, parameters: Mapping[str, float]) -> dict[str, bool]:
+        given = {**self._target.parameters, **parameters}
+        every = {"fk": self._module.fk, "jacobian": self._module.jacobian}
+        return {name: self._refuses(parameters, call, q, **given) for name, call in every.items()}
+
+    def spared(self, pose: Floats, q: Floats, values: Mapping[str, float]) -> dict[str, bool]:
+        module = self._module
+        calls: dict[str, Callable[..., Any]] = {name: getattr(module, name) for name in ("fk", "jacobian")}
+        still = {name: value for name, value in self._target.parameters.items() if name not in values}
+        told = {name: _alike(call(q, **still, **values), call(q, **still)) for name, call in calls.items()}
+        given = {name: value for name, value in self._target.given(q).items() if name not in values}
+        for name in ("ik", "ik_batch", "solve", "within", "nearest"):
+            call = partial(getattr(module, name), pose, **({"reference": q} if name == "nearest" else {}), **given)
+            told[name] = _alike(call(**values), call())
+        return told
+
+    def _refuses(self, wrong: Iterable[str], call: Callable[..., Any], *arguments: Any, **given: Any) -> bool:
+        """Whether a call is refused, and for the parameters that are wrong."""
         try:
             call(*arguments, **given)
         except ValueError as error:
-            return _word(error) == PARAMETER
+            named = all(re.search(rf"\b{name}\b", str(error)) for name in wrong)
+            return _word(error) == PARAMETER and named
         return False
 
     def tables(self) -> dict[str, Any]:
@@ -106,11 +145,22 @@ class _NumpyCalls:
         return dict(self._target.parameters) if reference is None else self._target.given(np.asarray(reference))
 
 
+def _alike(left: Any, right: Any) -> bool:
+    """Whether two answers are the same to the bit, part by part."""
+    if isinstance(left, tuple):
+        return len(left) == len(right) and all(map(_alike, left, right))
+    if left is None or isinstance(left, str):
+        return bool(left == right)
+    return right is not None and np.array_equal(left, right, equal_nan=True)
+
+
 def _word(error: ValueError) -> str:
     return next((word for text, word in _WORDS.items() if text in str(error)), PARAMETER)
 
 
-class _CCalls:
+class CCalls:
+    """The calls of a compiled source; also any of its functions by its name."""
+
     def __init__(self, target: CSolver) -> None:
         self._target, self._name = target, target.schedule.name
         self._n, self._most = len(target.schedule.joints), target.schedule.maximum
@@ -119,22 +169,17 @@ class _CCalls:
     def solve(self, pose: Floats, reference: Floats | None, parameters: Mapping[str, float] | None = None) -> Any:
         if reference is not None:
             self._target.give(reference)
-        given = self._with(parameters or {})
+        given = self.given_with(parameters or {})
         q, marks = self._room(self._most), np.zeros((self._most, 3), dtype=np.uint32)
         # two ints, then the numbers of every solution, then the three numbers of every mark
         out = np.zeros(8 + q.nbytes + marks.nbytes + 8, dtype=np.uint8)
-        status = self._call("solve", pose, given, reference, out)
+        status = self.call("solve", pose, given, reference, out)
         if status < 0:
             return _REFUSALS.get(status, str(status))
         count = int(out[4:8].view(np.int32)[0])
         found = out[8 : 8 + q.nbytes].view(self._real).reshape(q.shape)[:count].astype(np.float64)
         marks = out[8 + q.nbytes : 8 + q.nbytes + marks.nbytes].view(np.uint32).reshape(marks.shape)[:count]
-        branch, free, border = marks.T
-        family = np.array([self._call("family", int(bits)) for bits in free], dtype=np.uint32)
-        free, border, family = (
-            (bits[:, None] >> np.arange(self._n, dtype=np.uint32)) & 1 != 0 for bits in (free, border, family)
-        )
-        return Marked(found, branch.astype(np.intp), free, border, family, _STATUS.get(status, str(status)))
+        return self._marked(found, marks, _STATUS.get(status, str(status)))
 
     def within(self, pose: Floats, reference: Floats | None, limits: Floats | None) -> Any:
         if reference is not None:
@@ -142,41 +187,74 @@ class _CCalls:
         low, high = _ends(limits)
         q, marks = self._room(_ROOM), np.zeros((_ROOM, 3), dtype=np.uint32)
         arguments = (pose, self._target.given, reference, low, high)
-        count = self._call("within", *arguments, _ROOM, q, marks)
+        count = self.call("within", *arguments, _ROOM, q, marks)
         if count < 0:
             return _REFUSALS.get(count, str(count))
         # with less room the same number is told, and what fits is written
-        few = self._room(_ROOM)
-        told, room = self._call("within", *arguments, count // 2, few, marks), count // 2
+        few, same = self._room(_ROOM), np.zeros_like(marks)
+        told, room = self.call("within", *arguments, count // 2, few, same), count // 2
         fits = told == count and np.array_equal(few[:room], q[:room]) and bool(np.isnan(few[room:]).all())
-        return q[:count].astype(np.float64) if fits else "another answer with less room"
+        fits = fits and np.array_equal(same[:room], marks[:room]) and not same[room:].any()
+        found = q[:count].astype(np.float64)
+        return self._marked(found, marks[:count], None) if fits else "another answer with less room"
 
     def nearest(self, pose: Floats, reference: Floats | None, weights: Floats | None, limits: Floats | None) -> Any:
         if reference is not None:
             self._target.give(reference)
         q = self._room(1)[0]
         arguments = (pose, self._target.given, reference, weights, *_ends(limits))
-        status = self._call("nearest", *arguments, q)
-        return _REFUSALS.get(status, str(status)) if status < 0 else None if status == 0 else q.astype(np.float64)
+        status = self.call("nearest", *arguments, q)
+        if status <= 0:
+            return _REFUSALS.get(status, str(status)) if status else None
+        return Nearest(q.astype(np.float64), _STATUS.get(status, str(status)))
 
     def refusing(self, pose: Floats, q: Floats, parameters: Mapping[str, float]) -> dict[str, bool]:
         self._target.give(q)
-        given, found, counts = self._with(parameters), self._room(self._most), np.zeros(1, dtype=np.intc)
+        given, found, counts = self.given_with(parameters), self._room(self._most), np.zeros(1, dtype=np.intc)
         values = [None] * len(self._target.schedule.inputs)
         told = {
-            "ik": self._call("ik", pose, given, found),
-            "ik_batch": self._call("ik_batch", pose, 1, given, None, *values, found, counts),
-            "within": self._call("within", pose, given, q, None, None, 0, None, None),
-            "nearest": self._call("nearest", pose, given, q, None, None, None, found),
+            "ik": self.call("ik", pose, given, found),
+            "ik_batch": self.call("ik_batch", pose, 1, given, None, *values, found, counts),
+            "within": self.call("within", pose, given, q, None, None, 0, None, None),
+            "nearest": self.call("nearest", pose, given, q, None, None, None, found),
         }
         refused = {name: _REFUSALS.get(status) == PARAMETER for name, status in told.items()}
         return {**refused, "solve": self.solve(pose, q, parameters) == PARAMETER}
 
-    def _with(self, parameters: Mapping[str, float]) -> Any:
-        """The struct of parameters with some of them changed."""
+    def refusing_forward(self, q: Floats, parameters: Mapping[str, float]) -> dict[str, bool]:
+        return {}
+
+    def spared(self, pose: Floats, q: Floats, values: Mapping[str, float]) -> dict[str, bool]:
+        schedule = self._target.schedule
+        if schedule.inputs or len(values) < len(schedule.parameters):
+            return {}
+        every = (self.given_with(values), None)
+        calls = {"ik_marked": self._one, "ik_batch": self._many}
+        return {name: _alike(*(call(pose, q, given) for given in every)) for name, call in calls.items()}
+
+    def _one(self, pose: Floats, q: Floats, given: Any) -> tuple[Any, ...]:
+        found, marks = np.zeros((self._most, self._n)), np.zeros((self._most, 3), dtype=np.uint32)
+        return self.call("ik_marked", pose, given, q, found, marks), found, marks
+
+    def _many(self, pose: Floats, q: Floats, given: Any) -> tuple[Any, ...]:
+        found, counts = np.zeros((self._most, self._n)), np.zeros(1, dtype=np.intc)
+        return self.call("ik_batch", pose, 1, given, q, found, counts), found, counts
+
+    def _marked(self, q: Floats, marks: Any, status: str | None) -> Marked:
+        """Solutions (m, n) with the three numbers of each of their marks (m, 3)."""
+        branch, free, border = marks.T
+        family = np.array([self.call("family", int(bits)) for bits in free], dtype=np.uint32)
+        free, border, family = (
+            (bits[:, None] >> np.arange(self._n, dtype=np.uint32)) & 1 != 0 for bits in (free, border, family)
+        )
+        return Marked(q, branch.astype(np.intp), free, border, family, status)
+
+    def given_with(self, parameters: Mapping[str, float]) -> Any:
+        """The struct of parameters and locked inputs with some of them changed."""
         given = type(self._target.given)(*self._target.given)
-        for place, parameter in enumerate(self._target.schedule.parameters):
-            given[place] = parameters.get(parameter.name, given[place])
+        schedule = self._target.schedule
+        for place, name in enumerate([*(parameter.name for parameter in schedule.parameters), *schedule.inputs]):
+            given[place] = parameters.get(name, given[place])
         return given
 
     def tables(self) -> dict[str, Any]:
@@ -189,8 +267,8 @@ class _CCalls:
         ends = [np.array(row.in_dll(library, f"{self._name}_{end}"), dtype=np.float64) for end in _ENDS]
         return {"branches": names, "limits": np.stack(ends, axis=1)}
 
-    def _call(self, name: str, *arguments: Any) -> int:
-        """A function by its name; arrays are handed over where they lie, None as NULL."""
+    def call(self, name: str, *arguments: Any) -> int:
+        """What a function returns that is given by its name; arrays are handed over where they lie, None as NULL."""
         function = getattr(self._target.library, f"{self._name}_{name}")
         held = [self._handed(each) if isinstance(each, np.ndarray) else each for each in arguments]
         handed = [ctypes.c_void_p(each.ctypes.data) if isinstance(each, np.ndarray) else each for each in held]

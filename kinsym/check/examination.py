@@ -22,7 +22,7 @@ from kinsym.check.batch import hold_batch, hold_single, hold_sweep
 from kinsym.check.control import hold_nearest, hold_status
 from kinsym.check.definition import hold_definition
 from kinsym.check.edges import Edges, edges, hold_edges, hold_same_edges, hold_same_rough
-from kinsym.check.interface import Questions, hold_interface, hold_same_marks
+from kinsym.check.interface import hold_interface, hold_same_marks
 from kinsym.check.laws import CLOSURE, FORWARD, PATH, Judge
 from kinsym.check.ledger import Ledger
 from kinsym.check.nominal import with_nominal_samples
@@ -37,15 +37,25 @@ from kinsym.check.poses import (
     held_samples,
     lengths_of,
 )
+from kinsym.check.questions import Questions
 from kinsym.check.shapes import hold_shapes
 from kinsym.check.single import FINENESS, SinglePrecision, SingleSolver
 from kinsym.check.singular import volume_of
 from kinsym.check.singular_set import hold_singular_set
 from kinsym.check.solvers import CSolver, ExactSolver, Floats, NumpySolver, Solutions, Solver, TreeKinematics
-from kinsym.check.strange import NOISE, hold_far, hold_noise, hold_refusals
+from kinsym.check.strange import (
+    NOISE,
+    TILTED_POSES,
+    TILTS,
+    hold_far,
+    hold_noise,
+    hold_refusals,
+    hold_tilted,
+    tilted,
+)
 from kinsym.check.table import TableKinematics
 from kinsym.check.task import sifted, task_jacobian
-from kinsym.check.vanishing import Special, hold_special, special_values
+from kinsym.check.vanishing import Special, hold_regular, hold_special, special_values
 from kinsym.emit.schedule import Schedule
 from kinsym.robot.model import Robot
 
@@ -53,7 +63,7 @@ Rows = NDArray[np.intp]
 
 TABLE_POSES = 24
 JACOBIAN_POSES = 5
-SINGLE_POSES, SINGLE_NOISY = 60, 8
+SINGLE_POSES, SINGLE_NOISY, SINGLE_TILTED = 60, 8, 4
 NOISE_POSES = 60
 SET_POSES = 40
 #: Known to so few digits nearly every root is made sure of.
@@ -105,6 +115,7 @@ class Examination:
         self.some = self.every[:: max(1, len(self.every) // counts.exact)]
         self._slopes = self.rng.permutation(len(self.q))[:JACOBIAN_POSES]
         self._noisy_poses = self._noisy(self.poses[:NOISE_POSES], NOISE)
+        self._tilted_poses = np.concatenate([tilted(self.poses[:TILTED_POSES], angle) for angle in TILTS])
         self._rough_poses = self._noisy(self.poses[:ROUGH_POSES], ROUGH)
         self._rows = self.rng.permutation(len(self.q))[:TABLE_POSES]
         self.answers = Answers(
@@ -132,6 +143,8 @@ class Examination:
     def hold_exact(self) -> Solutions:
         """The laws of the exact walk, and its answers to the poses it sees."""
         hold_definition(self.ledger, self.exact, self.table, q=self.q[self._rows], slopes=self.q[self._slopes])
+        if self.number == 0 and not self.schedule.general:
+            hold_regular(self.ledger, self.exact.name, self._special)
         oracle = self.exact.inverse(self.poses[self.some], self.q[self.some])
         self.answers.hold(self.ledger, self.exact.name, oracle, self.some)
         hold_refusals(self.ledger, self.exact, self.poses[0])
@@ -147,19 +160,22 @@ class Examination:
             self.answers.hold(self.ledger, target.name, answer, every)
             hold_refusals(self.ledger, target, self.poses[0])
             hold_far(self.ledger, target, self.exact, self.answers)
+            hold_tilted(self.ledger, target, self.answers, self._tilted_poses)
             if not sifted(self.schedule):
                 hold_noise(self.ledger, target, self.answers, self._noisy_poses)
             if isinstance(target, NumpySolver):
                 general, first = self.schedule.general is not None, some[:SINGLE_POSES]
-                # some with a rotation that is known to fewer digits
-                poses = np.concatenate([self.poses[first], self._noisy_poses[:SINGLE_NOISY]])
-                reference = np.concatenate([self.q[first], self.q[:SINGLE_NOISY]])
+                # some with a rotation that is known to fewer digits, some that may be none of the arm's
+                more = (self._noisy_poses[:SINGLE_NOISY], self._tilted_poses[-SINGLE_TILTED:])
+                poses = np.concatenate([self.poses[first], *more])
+                reference = np.concatenate([self.q[first], self.q[:SINGLE_NOISY], self.q[:SINGLE_TILTED]])
                 hold_single(self.ledger, target, self.judge, poses=poses, reference=reference, general=general)
                 if self.schedule.inputs:
                     hold_sweep(self.ledger, target, pose=self.poses[first[0]], q=self.q[first])
                 hold_shapes(self.ledger, target, poses=self.poses, q=self.q, general=general)
             if isinstance(target, CSolver):
-                hold_batch(self.ledger, target, self.judge, poses=self.poses, q=self.q, noisy=self._noisy_poses)
+                strange = np.concatenate([self._noisy_poses, self._tilted_poses])
+                hold_batch(self.ledger, target, self.judge, poses=self.poses, q=self.q, strange=strange)
             if isinstance(target, NumpySolver | CSolver):
                 # every target is asked the same
                 rng = deepcopy(self.rng)

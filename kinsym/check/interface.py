@@ -6,78 +6,31 @@ nearest of them against a list of all that fit.
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from kinsym.algebra.tree import Sym
-from kinsym.check.calls import LIMIT, NOT_A_POSE, PARAMETER, REFERENCE, WEIGHT, Calls, Marked, calls_of
-from kinsym.check.control import WORSE
-from kinsym.check.laws import SAME, Judge, malformed
+from kinsym.check.calls import LIMIT, NOT_A_POSE, PARAMETER, REFERENCE, WEIGHT, Calls, Marked, Nearest, calls_of
+from kinsym.check.laws import malformed
 from kinsym.check.ledger import Ledger
 from kinsym.check.poses import wrapped
+from kinsym.check.questions import Questions
 from kinsym.check.solvers import CSolver, Floats, NumpySolver, TreeKinematics, as_float
-from kinsym.emit.schedule import Schedule
+from kinsym.check.windings import close, hold_windings, limits_of, table_limits
 
 MARK_LAW = "solve gives the solutions with their branches and marks"
-WITHIN_LAW = "within gives every winding inside the limits"
-INSIDE_LAW = "nearest is the best of them"
 TABLE_LAW = "names of branches, limits and parameters are the table's"
 DEFAULT_LAW = "what is left out has its default"
 INPUT_LAW = "wrong parameters, references, limits and weights are refused"
 SAME_MARKS_LAW = "same branches, free and border joints"
 
-WINDING_POSES, SLOW_POSES = 6, 1
 DEFAULT_POSES = 3
-#: Joint vectors so near to a limit are left out of the comparison.
-EDGE = 1e-9
 #: At one in so many poses next to singular ones a band ends between two languages' roundings.
 MORE_MARKS = 100
-#: How far the settling of a solution may move a free joint from its reference; at one in so many poses, where two
-#: singularities are near, it may move it further.
-CHOSEN = 1e-4
+#: At one in so many poses, where two singularities are near, settling may move a free joint far from its reference.
 MORE_MOVED = 24
-
-
-@dataclass(frozen=True, kw_only=True)
-class Fineness:
-    """A type of numbers, and how finely it tells joint values, costs and limits apart: as the constants say."""
-
-    real: type[np.floating[Any]] = np.float64
-    same: float = SAME
-    worse: float = WORSE
-    edge: float = EDGE
-    chosen: float = CHOSEN
-
-
-@dataclass(frozen=True, kw_only=True)
-class Questions:
-    """The poses (m, 4, 4) of joint vectors q (m, n) that these laws are tried on, and which are ordinary (m,)."""
-
-    schedule: Schedule
-    judge: Judge
-    poses: Floats
-    q: Floats
-    plain: Any
-    fine: Fineness = Fineness()
-
-    @property
-    def winding(self) -> Any:
-        """The joints that whole turns are added to."""
-        return self.judge.revolute & self.judge.kinematics.free
-
-    @property
-    def ordinary(self) -> Any:
-        """The rows of the first ordinary poses; a general solver takes long for each."""
-        return np.flatnonzero(self.plain)[: SLOW_POSES if self.schedule.general else WINDING_POSES]
-
-    @property
-    def places(self) -> range:
-        """The joints of which a value is made wrong."""
-        return range(1 if self.schedule.general else self.q.shape[1])
 
 
 def hold_interface(
@@ -90,8 +43,8 @@ def hold_interface(
     wrong = sum(not _fits(marked, q[:count], questions) for marked, q, count in zip(found, *answers, strict=True))
     moved = sum(not _chosen(marked, reference, questions) for marked, reference in zip(found, questions.q, strict=True))
     ledger.count(MARK_LAW, target.name, len(found), wrong + max(0, moved - 1 - len(found) // MORE_MOVED))
-    limits = _limits(questions, rng)
-    _hold_windings(ledger, target, questions, limits=limits, rng=rng)
+    limits = limits_of(questions, rng)
+    hold_windings(ledger, target, questions, limits=limits, rng=rng)
     ledger.count(TABLE_LAW, target.name, 1, int(not _tables_hold(calls.tables(), questions)))
     _hold_defaults(ledger, target, calls, questions)
     _hold_refusals(ledger, target, calls, questions, limits[0])
@@ -134,119 +87,18 @@ def _chosen(marked: Any, reference: Floats, questions: Questions) -> bool:
     return bool((moved <= questions.fine.chosen).all())
 
 
-def _limits(questions: Questions, rng: np.random.Generator) -> list[Floats | None]:
-    """Limits (n, 2): narrow ones, wide ones of which one joint's are infinite, and those of the table."""
-    n = questions.q.shape[1]
-    unit = np.where(questions.judge.revolute, np.pi, max(questions.judge.kinematics.size, 1.0))
-    middle = rng.uniform(-0.4, 0.4, n) * unit
-    narrow = np.stack([middle - 0.8 * unit, middle + 0.8 * unit], axis=1)
-    wide = np.stack([middle - 1.3 * unit, middle + 1.1 * unit], axis=1)
-    wide[rng.integers(n)] = (-np.inf, np.inf)
-    one_end = np.stack([middle - 0.9 * unit, np.full(n, np.inf)], axis=1)
-    return [*(_rounded(limits, questions) for limits in (narrow, wide, one_end)), None]
-
-
-def _hold_windings(
-    ledger: Ledger, target: NumpySolver | CSolver, questions: Questions, *, limits: Sequence[Any], rng: Any
-) -> None:
-    calls, winding, fine = calls_of(target), questions.winding, questions.fine
-    tried = wrong = missed = 0
-    for row, limit in itertools.product(questions.ordinary, limits):
-        pose, reference = questions.poses[row], questions.q[row]
-        marked = calls.solve(pose, reference)
-        every = marked.q if isinstance(marked, Marked) else np.empty((0, len(reference)))
-        ends = _table_limits(questions) if limit is None else limit
-        wound = _windings(every, ends, winding, fine.edge)
-        if wound is None:
-            continue
-        tried += 1
-        found = calls.within(pose, reference, limit)
-        wrong += not (isinstance(found, np.ndarray) and found.shape == wound.shape and _close(found, wound, fine.same))
-        near = reference + np.where(questions.judge.kinematics.free, rng.normal(0.0, 2.0, len(reference)), 0.0)
-        for weights in (None, rng.uniform(0.1, 2.0, len(reference))):
-            answer = calls.nearest(pose, near, weights, limit)
-            scale = np.ones(len(near)) if weights is None else weights
-            best = min((_least(q, near, ends, scale, winding) for q in every), default=np.inf)
-            missed += not _is_nearest(answer, best, near, scale, ends, worse=fine.worse)
-            missed += not _among(answer, every, winding, fine.same)
-    ledger.count(WITHIN_LAW, target.name, tried, wrong)
-    ledger.count(INSIDE_LAW, target.name, 2 * tried, missed)
-
-
-def _close(left: Floats, right: Floats, same: float) -> bool:
-    return bool((np.abs(left - right) <= same * np.maximum(1.0, np.abs(right))).all())
-
-
-def _windings(every: Floats, limits: Floats, revolute: Any, edge: float) -> Floats | None:
-    """All joint vectors (w, n) inside limits (n, 2), turns of the first joint outermost; None if one is on an edge."""
-    wound = []
-    for q in every:
-        places = [_turned(*values, edge) for values in zip(q, limits, revolute, strict=True)]
-        if any(place is None for place in places):
-            return None
-        wound += list(itertools.product(*places))  # type: ignore[arg-type]
-    return np.array(wound, dtype=np.float64).reshape(-1, every.shape[1])
-
-
-def _turned(x: float, ends: Floats, revolute: bool, edge: float) -> list[float] | None:
-    low, high = ends
-    turns = range(-3, 4) if revolute and np.isfinite(ends).all() else range(1)
-    values = [x + 2 * np.pi * turn for turn in turns]
-    if any(abs(value - end) <= edge * max(1.0, abs(end)) for value in values for end in ends if np.isfinite(end)):
-        return None
-    return [value for value in values if low <= value <= high]
-
-
-def _least(q: Floats, near: Floats, limits: Floats, weights: Floats, winding: Any) -> float:
-    """What the nearest winding of one solution costs; infinite if none is inside."""
-    total = 0.0
-    for x, (low, high), wanted, weight, turns in zip(q, limits, near, weights, winding, strict=True):
-        values = x + 2 * np.pi * np.arange(-6, 7) if turns else np.array([x])
-        inside = values[(values >= low) & (values <= high)]
-        total += weight * float(((inside - wanted) ** 2).min(initial=np.inf))
-    return total
-
-
-def _is_nearest(answer: Any, best: float, near: Floats, weights: Floats, limits: Floats, *, worse: float) -> bool:
-    """Whether an answer is inside the limits and costs what the best costs; None where nothing is inside."""
-    if not isinstance(answer, np.ndarray) or not np.isfinite(best):
-        return answer is None and not np.isfinite(best)
-    inside = ((answer >= limits[:, 0]) & (answer <= limits[:, 1])).all()
-    cost = float((weights * (answer - near) ** 2).sum())
-    return bool(inside) and abs(cost - best) <= worse * max(1.0, best)
-
-
-def _among(answer: Any, every: Floats, winding: Any, same: float) -> bool:
-    """Whether an answer is a solution up to whole turns; none is no wrong one."""
-    if answer is None:
-        return True
-    gaps = np.abs(wrapped(every - answer, winding)) / np.maximum(1.0, np.abs(answer))
-    return bool(gaps.max(axis=1).min(initial=np.inf) <= same)
-
-
-def _table_limits(questions: Questions) -> Floats:
-    limits = [joint.limits for joint in questions.schedule.joints]
-    every = [(-np.inf, np.inf) if ends is None else tuple(map(as_float, ends)) for ends in limits]
-    return _rounded(np.array(every), questions)
-
-
-def _rounded(values: Floats, questions: Questions) -> Floats:
-    """Numbers as their type holds them."""
-    return values.astype(questions.fine.real).astype(np.float64)
-
-
 def _tables_hold(tables: Mapping[str, Any], questions: Questions) -> bool:
     schedule = questions.schedule
     values = {item.name: None if item.value is None else as_float(item.value) for item in schedule.parameters}
     return (
         (not schedule.branches or tables["branches"] == tuple(schedule.branches))
-        and np.array_equal(tables["limits"], _table_limits(questions))
+        and np.array_equal(tables["limits"], table_limits(questions))
         and tables.get("parameters", values) == values
     )
 
 
 def _hold_defaults(ledger: Ledger, target: NumpySolver | CSolver, calls: Calls, questions: Questions) -> None:
-    """Parameters are the table's; no reference is a reference of zeros, where no input has to come from it."""
+    """Parameters that are left out are the table's; no reference is one of zeros, unless an input comes from it."""
     schedule, q, same = questions.schedule, questions.q[:DEFAULT_POSES], questions.fine.same
     values = {item.name: item.value for item in schedule.parameters if item.value is not None}
     told = target.defaults(q)
@@ -256,9 +108,12 @@ def _hold_defaults(ledger: Ledger, target: NumpySolver | CSolver, calls: Calls, 
         kinematics = TreeKinematics(schedule, values)
         wanted = (kinematics.forward(q), kinematics.jacobian(q)[..., kinematics.free])
         missed = told is None or not (
-            _close(told[0], wanted[0], same) and _close(told[1][..., kinematics.free], wanted[1], same)
+            close(told[0], wanted[0], same) and close(told[1][..., kinematics.free], wanted[1], same)
         )
-    ledger.count(DEFAULT_LAW, target.name, 1, int(missed))
+    numbers = {name: as_float(value) for name, value in values.items()}
+    spared = calls.spared(questions.poses[0], q[0], numbers) if numbers else {}
+    wrong = int(missed) + sum(not alike for alike in spared.values())
+    ledger.count(DEFAULT_LAW, target.name, 1 + len(spared), wrong)
     if questions.schedule.inputs:
         return
     zeros = np.zeros(questions.q.shape[1])
@@ -272,7 +127,8 @@ def _hold_defaults(ledger: Ledger, target: NumpySolver | CSolver, calls: Calls, 
             continue
         if isinstance(target, CSolver):
             near = [calls.nearest(questions.poses[row], each, None, None) for each in (None, zeros)]
-            wrong += not (near[0] is near[1] or np.array_equal(near[0], near[1]))
+            found = [each.q if isinstance(each, Nearest) else each for each in near]
+            wrong += not (found[0] is found[1] or np.array_equal(found[0], found[1]))
         same = plain.shape == left.q.shape
         wrong += not (same and (np.abs(wrapped(plain - left.q, questions.judge.revolute)) <= questions.fine.same).all())
     ledger.count(DEFAULT_LAW, target.name, len(rows), wrong)
@@ -298,11 +154,13 @@ def _hold_refusals(
             broken = _with(limits, place, ends)
             said += [(calls.within(pose, q, broken), LIMIT), (calls.nearest(pose, q, None, broken), LIMIT)]
     names = [item.name for item in schedule.parameters]
-    wrong_ones = [(name, value) for name in names for value in (np.nan, np.inf)]
+    no_numbers = [(name, value) for name in (*names, *schedule.inputs) for value in (np.nan, np.inf)]
     nonzero = {item.value.name for item in schedule.nonzero if isinstance(item.value, Sym)}
     vanishing = [(name, 0.0) for name in names if name in nonzero]
-    for name, value in [*wrong_ones, *vanishing]:
+    for name, value in [*no_numbers, *vanishing]:
         told = calls.refusing(pose, q, {name: value})
+        if name in names and value:
+            told |= calls.refusing_forward(q, {name: value})
         said += [(PARAMETER if refused else "", PARAMETER) for refused in told.values()]
     for case in malformed(pose).values():
         said += [

@@ -15,10 +15,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinsym.check.interface import Fineness, Questions, hold_interface
+from kinsym.check.interface import hold_interface
 from kinsym.check.laws import Judge, malformed, outward
 from kinsym.check.ledger import Ledger
 from kinsym.check.poses import Samples, wrapped
+from kinsym.check.questions import Fineness, Questions
 from kinsym.check.solvers import CSolver, Floats, Solutions
 from kinsym.check.strange import hold_refusals
 from kinsym.check.task import task_jacobian
@@ -148,10 +149,8 @@ class SinglePrecision:
 
     def _batch(self, target: SingleSolver, q: Floats) -> None:
         reference = np.where(self.judge.kinematics.free, 0.0, q)
-        (single, count), (batch, batch_count) = (
-            target.inverse(self.poses, reference),
-            target.inverse_batch(self.poses, reference),
-        )
+        single, count = target.inverse(self.poses, reference)
+        batch, batch_count, solved = target.inverse_batch(self.poses, reference)
         there = np.arange(single.shape[1]) < count[:, None]
         wrong = (batch_count != count) | (there & ~(self._gaps(batch, single) <= BATCH)).any(axis=1)
         cases = np.array(list(malformed(self.poses[0]).values()))
@@ -161,7 +160,7 @@ class SinglePrecision:
         one, many = target.forward(every), target.forward_batch(every)
         apart = ~(self._apart(many, one) <= FORWARD)
         tried = len(q) + len(cases) + len(every)
-        failed = int(wrong.sum() + answered.sum() + apart.sum())
+        failed = int(wrong.sum() + answered.sum() + apart.sum()) + (solved != int((batch_count > 0).sum()))
         self.ledger.count(BATCH_LAW, target.name, tried, failed)
 
     def _apart(self, poses: Floats, wanted: Floats) -> Floats:

@@ -162,6 +162,14 @@ class NumpySolver:
             return False
         return True
 
+    def refusal(self, poses: Floats) -> str:
+        """Why ``ik_batch`` refuses poses (m, 4, 4); empty if it does not."""
+        try:
+            self.module.ik_batch(poses, **self.parameters, **{name: 0.0 for _, name in self._inputs})
+        except ValueError as error:
+            return str(error)
+        return ""
+
 
 class ExtensionSolver(NumpySolver):
     """A generated Python package, built and imported; its interface is that of the NumPy module."""
@@ -252,7 +260,7 @@ class CSolver:
         given, self.given = self.given, None
         poses, slopes = self.forward(q), self.jacobian(q)
         batch, self.given = self.forward_batch(q), given
-        if not np.array_equal(np.isnan(batch[:, :3]), np.isnan(poses[:, :3])):
+        if not np.allclose(batch[:, :3], poses[:, :3], equal_nan=True):
             return poses, np.full_like(slopes, np.nan)
         refused = np.isnan(slopes).all() or np.array_equal(slopes, self.jacobian(q))
         return None if np.isnan(poses[:, :3]).all() and refused else (poses, slopes)
@@ -263,17 +271,19 @@ class CSolver:
         self._fk_batch(q.ctypes.data, len(q), self.given, poses.ctypes.data)
         return np.asarray(poses, dtype=np.float64)
 
-    def inverse_batch(self, poses: Floats, reference: Floats) -> Solutions:
+    def inverse_batch(self, poses: Floats, reference: Floats) -> tuple[Floats, NDArray[np.intp], int]:
         """``NAME_ik_batch``: inputs come from each row of the reference (m, n), free joints from its first.
 
-        The numbers of solutions are negative where a pose was refused.
+        The numbers of solutions are negative where a pose was refused; behind them the number of poses that are said to
+        have a solution.
         """
         poses, first = self._array(poses), self._array(reference[0])
         values = [self._array(reference[:, column]) for _, column in self._places]
         q, counts = self._empty(len(poses), self._most, self._n), np.zeros(len(poses), dtype=np.intc)
         arrays = [first, *values, q, counts]
-        self._ik_batch(poses.ctypes.data, len(poses), self.given, *(array.ctypes.data for array in arrays))
-        return np.where((np.arange(self._most) < counts[:, None])[..., None], q, np.nan), counts.astype(np.intp)
+        reached = self._ik_batch(poses.ctypes.data, len(poses), self.given, *(array.ctypes.data for array in arrays))
+        q = np.where((np.arange(self._most) < counts[:, None])[..., None], q, np.nan)
+        return q, counts.astype(np.intp), int(reached)
 
     def status(self, pose: Floats, reference: Floats) -> str:
         """What ``NAME_solve`` says of one pose (4, 4)."""

@@ -1,7 +1,8 @@
 """The laws at special values of the parameters: one of them is 0, or two lengths are equal.
 
 General values hide what depends on them. A parameter may be 0 unless the plan says that it must not; links of equal
-length fold onto each other, where whole families of solutions begin.
+length fold onto each other, where whole families of solutions begin. A value that takes a motion from the arm whatever
+its joints do leaves families of solutions everywhere, and no plan is for it.
 """
 
 from __future__ import annotations
@@ -16,15 +17,19 @@ from kinsym.check.laws import CLOSURE, Judge
 from kinsym.check.ledger import Ledger
 from kinsym.check.poses import uniform, wrapped
 from kinsym.check.solvers import CSolver, Floats, NumpySolver, TreeKinematics
+from kinsym.check.task import task_jacobian
 from kinsym.emit.schedule import Schedule
 
 Values = Mapping[str, Fraction]
 
 VANISHING_LAW = "solved with a parameter at 0 and with equal lengths"
+REGULAR_LAW = "what may be 0 takes no motion from the arm"
 
 #: Ordinary joint vectors for each special value, and those whose joints stand at quarter turns or next to them.
 ORDINARY, TURNED, SLOW = 6, 24, 1
 OFFSETS = (0.0, 1e-9, -1e-7, 1e-5)
+#: The share of the largest singular value of a Jacobian that the least one has but for rounding where a motion is lost.
+LOST = 1e-9
 
 
 def special_values(schedule: Schedule, values: Values, lengths: frozenset[str]) -> Iterator[dict[str, Fraction]]:
@@ -55,12 +60,28 @@ class Special:
         self._turn(np.flatnonzero(kinematics.free))
         self.poses = kinematics.forward(self.q)
 
+    @property
+    def regular(self) -> bool:
+        """Whether the task's Jacobian has full rank at an ordinary joint vector, lengths in sizes of the arm."""
+        kinematics, q = self.judge.kinematics, self.q[: self.ordinary]
+        slopes = task_jacobian(kinematics.jacobian(q), kinematics.forward(q), self.judge.task, kinematics.size)
+        unit = np.where(self.judge.revolute, 1.0, kinematics.size or 1.0)
+        height = np.linalg.svd((slopes * unit)[..., kinematics.free], compute_uv=False)
+        return bool((height[:, -1] > LOST * height[:, 0]).any())
+
     def _turn(self, free: Sequence[int] | np.ndarray) -> None:
         """Put a joint of all but the ordinary vectors at a quarter turn, a length at 0, or next to it."""
         for place, row in enumerate(range(self.ordinary, len(self.q))):
             joint, offset = free[place % len(free)], OFFSETS[place // (2 * len(free)) % len(OFFSETS)]
             turn = np.pi * (place // len(free) % 2) if self.judge.revolute[joint] else 0.0
             self.q[row, joint] = wrapped(np.array([turn + offset]), np.array([self.judge.revolute[joint]]))[0]
+
+
+def hold_regular(ledger: Ledger, subject: str, every: Sequence[Special]) -> None:
+    """At each special value the arm has all motions of its task in one of the ordinary postures at least."""
+    wrong = sum(not special.regular for special in every)
+    if every:
+        ledger.count(REGULAR_LAW, subject, len(every), wrong)
 
 
 def hold_special(ledger: Ledger, target: NumpySolver | CSolver, every: Sequence[Special]) -> None:

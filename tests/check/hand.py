@@ -142,6 +142,7 @@ TAU = 2.0**-46
 
 
 def fk(q, *, l1=0.6, l2=0.4):
+    _finite([l1, l2], "l1, l2")
     q = np.asarray(q, dtype=float)
     a, b = q[..., 0], q[..., 0] + q[..., 1]
     T = np.zeros((*q.shape[:-1], 4, 4))
@@ -174,7 +175,7 @@ def ik_batch(T, *, reference=None, l1=0.6, l2=0.4):
     fine = (G <= 1e-6) & (np.linalg.det(np.where(np.isfinite(R), R, 0.0)) > 0)
     fine &= (np.abs(T[..., :3, 3]).sum(axis=-1) < 1e150) & (np.abs(T[..., 3, :] - [0, 0, 0, 1]).max(axis=-1) <= 1e-9)
     if not np.all(fine):
-        raise ValueError("no pose")
+        raise ValueError(f"pose {np.argmin(np.ravel(fine))} is none")
     x, y = T[..., 0, 3], T[..., 1, 3]
     r2 = x * x + y * y
     t = TAU * (l1 + l2)
@@ -217,8 +218,8 @@ def _finite(values, what):
 
 
 def _lengths(l1, l2):
-    if not np.all(_finite([l1, l2], "parameters")):
-        raise ValueError("parameters must not vanish")
+    if not np.all(_finite([l1, l2], "l1, l2")):
+        raise ValueError("l1, l2 must not vanish")
 
 
 def solve(T, *, reference=None, l1=0.6, l2=0.4):
@@ -241,18 +242,20 @@ def _inside(found, limits, most):
     if not ((low <= high) & (low < np.inf) & (high > -np.inf)).all():
         raise ValueError("the limits must be intervals")
     wound = [
-        q + 2 * np.pi * np.array(turns)
-        for q in found
+        (*(q + 2 * np.pi * np.array(turns)), row)
+        for row, q in enumerate(found)
         for turns in itertools.product(*(range(-m, m + 1) for m in np.broadcast_to(most(limits), 2)))
     ]
-    wound = np.array(wound).reshape(-1, 2)
-    return wound[((wound >= low) & (wound <= high)).all(axis=1)]
+    wound = np.array(wound).reshape(-1, 3)
+    wound = wound[((wound[:, :2] >= low) & (wound[:, :2] <= high)).all(axis=1)]
+    return wound[:, :2], wound[:, 2].astype(int)
 
 
 def within(T, *, limits=None, reference=None, l1=0.6, l2=0.4):
     found = solve(T, reference=reference, l1=l1, l2=l2)
-    wound = _inside(found.q, limits, lambda ends: np.where(np.isfinite(ends).all(axis=1), 3, 0))
-    return found._replace(q=wound)
+    wound, rows = _inside(found.q, limits, lambda ends: np.where(np.isfinite(ends).all(axis=1), 3, 0))
+    marks = [part[rows] for part in found[1:5]]
+    return Solved(wound, *marks, found.status if len(rows) or found.status == "not a pose" else "unreachable")
 
 
 def nearest(T, reference, *, weights=None, limits=None, l1=0.6, l2=0.4):
@@ -262,7 +265,7 @@ def nearest(T, reference, *, weights=None, limits=None, l1=0.6, l2=0.4):
     weights = _finite(np.ones(2) if weights is None else weights, "weights")
     if (weights < 0).any():
         raise ValueError("a weight must not be negative")
-    wound = _inside(found.q, limits, lambda ends: 3)
+    wound, _ = _inside(found.q, limits, lambda ends: 3)
     way = wound - reference
     return wound[np.argmin((weights * way * way).sum(axis=1))] if len(way) else None
 """

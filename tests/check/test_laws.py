@@ -9,10 +9,11 @@ from kinsym.check.batch import SINGLE_LAW
 from kinsym.check.compare import compare
 from kinsym.check.control import NEAREST_LAW, STATUS_LAW
 from kinsym.check.examination import ERROR_LAW, FORWARD_LAW, JACOBIAN_LAW
-from kinsym.check.interface import DEFAULT_LAW, INPUT_LAW, INSIDE_LAW, MARK_LAW, TABLE_LAW, WITHIN_LAW
+from kinsym.check.interface import DEFAULT_LAW, INPUT_LAW, MARK_LAW, TABLE_LAW
 from kinsym.check.report import FAILED, at_most
 from kinsym.check.sources import IMPORT
 from kinsym.check.strange import FAR_LAW, REFUSE_LAW
+from kinsym.check.windings import INSIDE_LAW, WITHIN_LAW
 from tests.check import hand
 
 
@@ -48,6 +49,12 @@ FAULTS = {
         RANGE_LAW,
     ),
     "reflection answered": ("np.linalg.det(np.where(np.isfinite(R), R, 0.0)) > 0", "True", REFUSE_LAW),
+    "a bad pose at another place": ("np.argmin(np.ravel(fine))", "np.argmax(np.ravel(fine))", REFUSE_LAW),
+    "another default of nearest": (
+        "weights=None, limits=None, l1=0.6",
+        "weights=None, limits=None, l1=0.600001",
+        DEFAULT_LAW,
+    ),
     "single and batch differ": ("return q[valid]", "return q[valid][::-1]", SINGLE_LAW),
     "noise refused": ("G <= 1e-6", "G <= 1e-12", ERROR_LAW),
     "parameter ignored": (
@@ -61,6 +68,8 @@ FAULTS = {
     "branches from one": ("np.flatnonzero(valid)", "np.flatnonzero(valid) + 1", MARK_LAW),
     "a turn too few": (".all(axis=1), 3, 0)", ".all(axis=1), 0, 0)", WITHIN_LAW),
     "wound without an end": (".all(axis=1), 3, 0)", ".all(axis=1), 3, 1)", WITHIN_LAW),
+    "windings with another's marks": ("part[rows] for", "part[rows[::-1]] for", WITHIN_LAW),
+    "a status of windings that is wrong": ('else "unreachable")', 'else "solved")', WITHIN_LAW),
     "the nearest outside": (
         "_inside(found.q, limits, lambda ends: 3)",
         "_inside(found.q, None, lambda ends: 3)",
@@ -68,6 +77,7 @@ FAULTS = {
     ),
     "limits of another table": ("LIMITS = ((-np.inf,", "LIMITS = ((-3.0,", TABLE_LAW),
     "another default": ("def jacobian(q, *, l1=0.6, l2=0.4)", "def jacobian(q, *, l1=0.61, l2=0.4)", DEFAULT_LAW),
+    "forward kinematics of no numbers": ('    _finite([l1, l2], "l1, l2")\n    q = np', "    q = np", INPUT_LAW),
     "limits taken as they are": ("(low <= high) & ", "", INPUT_LAW),
     "a weight below zero": ("(weights < 0).any()", "False", INPUT_LAW),
     "a reference that is no number": ('reference, "a reference")', '1.0, "a reference")', INPUT_LAW),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -15,7 +16,8 @@ from kinsym.check.laws import Judge
 from kinsym.check.report import FAILED
 from kinsym.check.shapes import SHAPE_LAW
 from kinsym.check.solvers import TreeKinematics
-from kinsym.check.vanishing import VANISHING_LAW, special_values
+from kinsym.check.strange import TILT_LAW
+from kinsym.check.vanishing import REGULAR_LAW, VANISHING_LAW, special_values
 from kinsym.emit import TARGETS
 from kinsym.emit.program import build_schedule
 from tests.arms import derivation, robot
@@ -49,6 +51,19 @@ def test_faults_are_found(fault: str) -> None:
     sources |= {file: text.replace(old, new) for file, text in sources.items() if file.endswith(endings[language])}
     failed = {check.law for check in compare(robot(name), schedule, sources).checks if check.status == FAILED}
     assert law in failed if law else not failed
+
+
+def test_a_length_without_which_the_arm_cannot_move_must_not_be_zero() -> None:
+    schedule = build_schedule(derivation("planar_rrr_paul"))
+    schedule = replace(schedule, nonzero=tuple(item for item in schedule.nonzero if item.parameters != ("a2",)))
+    failed = {check.law for check in compare(robot("planar_rrr_paul"), schedule, {}).checks if check.status == FAILED}
+    assert failed == {REGULAR_LAW}
+
+
+def test_a_pose_that_an_arm_of_few_joints_cannot_take_is_not_answered() -> None:
+    schedule = replace(build_schedule(derivation("scara")), gate=False)
+    findings = compare(robot("scara"), schedule, TARGETS["numpy"](schedule))
+    assert TILT_LAW in {check.law for check in findings.checks if check.status == FAILED}
 
 
 def test_what_may_be_zero_and_what_may_be_equal() -> None:

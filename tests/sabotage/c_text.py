@@ -31,6 +31,7 @@ _TOKEN = re.compile(
     r"|(?P<sign>->|\+\+|--|<<=|>>=|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/&|^%]=|.)",
     re.DOTALL,
 )
+_FUNCTION = re.compile(r"^(?:KINSYM_FN )?[a-z][^;{}=()]*?(\w+)\([^;{}]*\)\s*\{", re.MULTILINE)
 #: Macros that nobody defines here; what is for them alone is not compiled.
 _UNDEFINED = re.compile(r"#ifdef\s+(__cplusplus|\w+_LIBM_ATAN2)|#if .*__cplusplus.*")
 _SWAPS = {"+": "-", "-": "+", "+=": "-=", "-=": "+="}
@@ -51,7 +52,7 @@ class _Token:
 
 def mutants(text: str, parameters: tuple[str, ...]) -> list[Mutant]:
     """Every mutant of one C file."""
-    return text_mutants(LANGUAGE, text, _changes(list(_tokens(text)), parameters))
+    return text_mutants(LANGUAGE, text, _changes(list(_tokens(text)), parameters), _FUNCTION)
 
 
 def _tokens(text: str) -> Iterator[_Token]:

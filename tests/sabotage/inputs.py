@@ -12,6 +12,7 @@ import numpy as np
 from kinsym.check.answers import MERGED
 from kinsym.check.laws import Judge, malformed, outward
 from kinsym.check.solvers import Floats, as_float
+from kinsym.check.strange import tilted
 from kinsym.derivation import Derivation
 from kinsym.emit.schedule import Schedule
 from tests.stress.measure import PAIR, Stress
@@ -22,7 +23,9 @@ SPECIAL, RANDOM = 600, 150
 GENERAL = 12
 SINGLE = 60
 ORDINARY, FAR = 12, 8
+SLOW_SINGLE, SLOW_ORDINARY = 12, 4
 NOISE = (1e-13, 1e-9, 3e-7)
+TILTS = (1e-6, 1e-3, 1.0, 2.5)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,8 +34,10 @@ class Inputs:
 
     ``T`` (m, 4, 4) are poses, ``q`` (m, n) references for them. ``firm`` (m,) tells where everything is determined;
     elsewhere, if not ``loose`` (m,), it is but for the bands in which roots merge, and where two singularities meet a
-    solution must be found.
+    solution must be found. ``noise`` (m,) is how far the entries of a rotation may be off: a pose tells no more than
+    that of its solutions.
     ``turned`` (k, n) are joint vectors with many turns. ``limits`` are pairs (n, 2), ``weights`` (n,).
+    A ``slow`` solver, one without a closed form, is asked of fewer poses one by one.
     """
 
     parameters: dict[str, float]
@@ -41,21 +46,23 @@ class Inputs:
     q: Floats
     firm: np.ndarray
     loose: np.ndarray
+    noise: Floats
     turned: Floats
     odd: dict[str, Floats]
     limits: list[Floats]
     weights: list[Floats]
+    slow: bool
 
     @property
     def single(self) -> np.ndarray:
         """The rows that functions for one pose are asked of where each call is slow."""
         rows = np.flatnonzero(~self.loose)
-        return rows[np.unique(np.linspace(0, len(rows) - 1, SINGLE).astype(int))]
+        return rows[np.unique(np.linspace(0, len(rows) - 1, SLOW_SINGLE if self.slow else SINGLE).astype(int))]
 
     @property
     def ordinary(self) -> np.ndarray:
         """Rows at which rounding decides nothing: the last that are anywhere."""
-        return np.arange(len(self.q) - FAR - ORDINARY, len(self.q) - FAR)
+        return np.arange(len(self.q) - FAR - (SLOW_ORDINARY if self.slow else ORDINARY), len(self.q) - FAR)
 
 
 def inputs(derivation: Derivation, schedule: Schedule, parameters: Mapping[str, Fraction]) -> Inputs:
@@ -68,12 +75,14 @@ def inputs(derivation: Derivation, schedule: Schedule, parameters: Mapping[str, 
     poses = [kind.T[:share] for kind in kinds] + [stress.kinematics.forward(plain)]
     vectors = [kind.q[:share] for kind in kinds] + [plain]
     near = [np.where(kind.name == PAIR, -1.0, kind.distance[:share]) for kind in kinds] + [np.full(len(plain), np.inf)]
+    noise = np.zeros(sum(map(len, near)) + FAR)
     for size in NOISE:
         noisy = poses[-1][:GENERAL].copy()
         noisy[:, :3, :3] += rng.uniform(-size, size, noisy[:, :3, :3].shape)
         poses.insert(0, noisy)
         vectors.insert(0, plain[: len(noisy)])
         near.insert(0, np.full(len(noisy), np.inf))
+        noise = np.concatenate([np.full(len(noisy), size), noise])
     far = outward(poses[-1][:FAR], stress.kinematics.size)
     poses.append(far)
     vectors.append(plain[: len(far)])
@@ -92,9 +101,12 @@ def inputs(derivation: Derivation, schedule: Schedule, parameters: Mapping[str, 
         q=q,
         firm=np.concatenate(near) > MERGED,
         loose=np.concatenate(near) < 0.0,
+        noise=noise,
         turned=rng.uniform(-1.0, 1.0, (40, n)) * np.logspace(0, 6, 40)[:, None],
-        odd=malformed(poses[-2][0]),
+        odd=malformed(poses[-2][0])
+        | {f"a pose tilted by {angle:g}": tilted(poses[-2][:1], angle)[0] for angle in TILTS},
         limits=limits,
+        slow=schedule.general is not None,
         weights=[rng.uniform(0.1, 2.0, n), np.where(np.arange(n) % 2, 0.0, 1.0)],
     )
 

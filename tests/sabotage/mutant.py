@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
@@ -15,13 +16,16 @@ PARAMETER = "parameters swapped"
 GUARD = "guard removed"
 KINDS = (SIGN, TRIG, BRANCH, CONSTANT, PARAMETER, GUARD)
 
+#: What is in no function.
+OUTSIDE = "the head"
+
 #: By how much a constant is changed, and what 0 becomes.
 CHANGE = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True)
 class Mutant:
-    """One change: its kind, where it is, what stood there and what stands there now.
+    """One change: its kind, where it is (in a text function, line and column), what stood there and what does now.
 
     ``make`` gives the changed text, or the changed schedule of a plan.
     """
@@ -41,19 +45,30 @@ Change = tuple[str, int, int, str]
 """The kind of a change in a text, where it begins and ends, and what stands there now."""
 
 
-def text_mutants(language: str, text: str, changes: Iterable[Change]) -> list[Mutant]:
-    """The mutants of one source text."""
+def text_mutants(language: str, text: str, changes: Iterable[Change], function: re.Pattern[str]) -> list[Mutant]:
+    """The mutants of one source text; the pattern finds where a function begins, and its name."""
+    heads = [(match.start(), match.group(1)) for match in function.finditer(text)]
     return [
         Mutant(
             language=language,
             kind=kind,
-            where=f"line {text.count(chr(10), 0, start) + 1}",
+            where=f"{_inside(heads, start)}, {_place(text, start)}",
             before=_around(text, start, end, text[start:end]),
             after=_around(text, start, end, new),
             make=partial(_changed, text, start, end, new),
         )
         for kind, start, end, new in changes
     ]
+
+
+def _inside(heads: list[tuple[int, str]], start: int) -> str:
+    """The function that a place is in; what stands before all of them is named by a word of its own."""
+    return next((name for begin, name in reversed(heads) if begin <= start), OUTSIDE)
+
+
+def _place(text: str, start: int) -> str:
+    """A place by its line and its column."""
+    return f"line {text.count(chr(10), 0, start) + 1}:{start - text.rfind(chr(10), 0, start)}"
 
 
 def _changed(text: str, start: int, end: int, new: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 
 from tests.sabotage.mutant import (
@@ -24,12 +25,13 @@ LANGUAGE = "numpy"
 
 _SIGNS = {ast.Add: ("+", "-"), ast.Sub: ("-", "+")}
 _WAVES = {"cos": "sin", "sin": "cos"}
+_FUNCTION = re.compile(r"^def (\w+)", re.MULTILINE)
 _LEAVES = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 
 
 def mutants(text: str, parameters: tuple[str, ...]) -> list[Mutant]:
     """Every mutant of one module."""
-    return text_mutants(LANGUAGE, text, _Changes(text, parameters).all())
+    return text_mutants(LANGUAGE, text, _Changes(text, parameters).all(), _FUNCTION)
 
 
 class _Changes:

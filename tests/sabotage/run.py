@@ -7,18 +7,22 @@ import multiprocessing
 import random
 import resource
 import signal
+import warnings
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from kinsym.derivation import Derivation
 from kinsym.emit.program import build_schedule
 from tests.sabotage import c_text, plan, python_text
+from tests.sabotage.asking_c import of_c
+from tests.sabotage.asking_numpy import of_numpy
 from tests.sabotage.bench import Bench, Caught, Stillborn, choices, hold_plan
 from tests.sabotage.bench import c_text as c_source
 from tests.sabotage.bench import numpy_text as numpy_source
-from tests.sabotage.inputs import inputs
+from tests.sabotage.inputs import Inputs, inputs
 from tests.sabotage.mutant import Mutant
-from tests.sabotage.transcript import Difference, difference, of_c, of_numpy
+from tests.sabotage.transcript import Difference, difference
 
 LANGUAGES = (c_text.LANGUAGE, python_text.LANGUAGE, plan.LANGUAGE)
 
@@ -53,10 +57,16 @@ class Sabotage:
 
     def __init__(self, derivation: Derivation) -> None:
         self.derivation, self.schedule = derivation, build_schedule(derivation)
-        self._bench = Bench(derivation.robot, self.schedule)
-        every = choices(derivation.robot, self.schedule)
-        self._inputs = [inputs(derivation, self.schedule, parameters) for parameters in every]
         self._good: dict[str, Any] = {}
+
+    @cached_property
+    def _bench(self) -> Bench:
+        return Bench(self.derivation.robot, self.schedule)
+
+    @cached_property
+    def _inputs(self) -> list[Inputs]:
+        every = choices(self.derivation.robot, self.schedule)
+        return [inputs(self.derivation, self.schedule, parameters) for parameters in every]
 
     def mutants(self, language: str) -> list[Mutant]:
         """All mutants of one language, in the order of the text."""
@@ -104,6 +114,7 @@ class Sabotage:
 
     def _child(self, mutant: Mutant, pipe: Any) -> None:
         faulthandler.disable()
+        warnings.simplefilter("ignore")
         resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
         resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
         try:

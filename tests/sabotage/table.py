@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 
 from tests.sabotage.mutant import KINDS
+from tests.sabotage.reasons import reason_of, reasons
 from tests.sabotage.run import CAUGHT, EQUAL, LANGUAGES, ROUNDING, STILLBORN, SURVIVED, Outcome
 
 _TEXT = """\
@@ -18,8 +19,9 @@ Places are drawn at random from all there are. *Caught*: a law of `kinsym check`
 would write, which `kinsym check` says as well, does not count), or the checks crash or never end. What is not caught is
 asked for everything that the code can be asked, hundreds of poses next to singular ones and at borders, noisy, far
 and broken ones, windings, odd limits and parameters among it, and held against good code: *equal* to the bit, or to
-rounding (1e-9; next to singular poses, the same solutions), or else it has *survived*. A mutant that does not compile
-is *stillborn*. The score is caught / (caught + survived).
+rounding (1e-9; next to singular poses, the same solutions; of rotations known to few digits, solutions that reach them
+as well), or else it has *survived*. A mutant that does not compile is *stillborn*. The score is caught / (caught +
+survived). An arm without a closed form is tried with one choice of its parameters, others with the checks' three.
 """
 
 
@@ -65,8 +67,13 @@ def section(results: Mapping[tuple[str, str], Sequence[Outcome]], command: str) 
         text += ["", "Survivors, and where they differ from good code:", "", "```text", *map(_line, survivors), "```"]
     quiet = [one for one in every if one.outcome in (EQUAL, ROUNDING)]
     if quiet:
-        text += ["", "Not caught, and equal to good code in everything that was asked:", "", "```text"]
-        text += [*map(_line, quiet), "```"]
+        text += [
+            "",
+            "Not caught, and equal to good code in all that was asked; the terminal has each of them:",
+        ]
+        text += ["", "| mutants | by the part of the code, why answers can stay |", "|---|---|"]
+        counts = Counter(reason_of(one.robot, one.mutant) for one in quiet)
+        text += [f"| {counts[reason]} | {reason} |" for reason in reasons() if counts[reason]]
     return text
 
 

@@ -1,5 +1,6 @@
 """Mutants of one small arm: what changes a result is caught, what changes none is told from it, and nothing hangs."""
 
+import math
 from dataclasses import replace
 
 import pytest
@@ -8,8 +9,11 @@ from tests import arms
 from tests.emit.built import needs_compiler
 from tests.sabotage import c_text, python_text, run
 from tests.sabotage.mutant import BRANCH, CONSTANT, GUARD, KINDS, PARAMETER, SIGN, TRIG, Mutant, turned
+from tests.sabotage.reasons import BANDS, LANES, REST, STARTS, WINDINGS, reason_of
+from tests.sabotage.record import Record
 from tests.sabotage.run import CAUGHT, CRASHED, ENDLESS, EQUAL, LANGUAGES, STILLBORN, SURVIVED, Outcome, Sabotage
 from tests.sabotage.table import lines, percent, section
+from tests.sabotage.transcript import ROUNDING, difference
 
 ROBOT = "planar_rr"
 SAMPLE = 4
@@ -77,6 +81,20 @@ def test_names_of_sines_and_cosines():
     ]  # fmt: skip
 
 
+def test_a_rotation_that_is_known_to_few_digits_tells_no_more_of_its_solutions(sabotage):
+    (each, *_), label = sabotage._inputs, "near solutions of choice 0"
+    good = {label: each.q[:, None].copy()}
+
+    def gap(row):
+        found = good[label].copy()
+        found[row] += 1e-8
+        return difference(good, {label: found}, [each]).size
+
+    assert each.noise[0] > 1e-7 > each.noise[each.ordinary[0]] == 0.0
+    assert 0.0 < gap(0) <= ROUNDING
+    assert gap(each.ordinary[0]) == math.inf
+
+
 @needs_compiler
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_what_changes_a_result_is_caught(sabotage, language):
@@ -108,15 +126,45 @@ def test_one_mutant(sabotage, monkeypatch, change, outcome, reason):
     assert reason in found.reason
 
 
+def test_a_change_is_named_by_its_function():
+    assert [mutant.where.partition(":")[0] for mutant in c_text.mutants(C, ())][:2] == ["the head, line 2", "f, line 9"]
+    assert {mutant.where.partition(",")[0] for mutant in python_text.mutants(PYTHON, ())} == {"f"}
+
+
+def test_what_was_tried_is_kept(tmp_path):
+    mutant = Mutant(language="c", kind=SIGN, where="f, line 7:3", before="a + b", after="a - b", make=str)
+    outcome = Outcome(robot="one", mutant=mutant, outcome=CAUGHT, reason="C: a law")
+    assert Record(tmp_path / "kept").find("one", mutant) is None
+    assert Record(tmp_path / "kept").keep(outcome) == outcome
+    again = Record(tmp_path / "kept")
+    assert again.find("one", mutant) == outcome
+    assert again.find("two", mutant) is again.find("one", replace(mutant, after="a * b")) is None
+    assert Record(None).keep(outcome) == outcome
+
+
+def test_reasons_are_told_by_the_part_of_the_code():
+    def told(where, language="c"):
+        base = Mutant(language=language, kind=SIGN, where=where, before="", after="", make=str)
+        return reason_of("arm", base)
+
+    assert told("arm_within, line 1:1") == told("_windings, line 1:1", "numpy") == WINDINGS
+    assert told("lane_triangle, line 1:1") == told("_scalar_triangle, line 2:2") == told("solve_triangle, x") == BANDS
+    assert told("solve_block, line 1:1") == LANES
+    assert told("step 1, theta2, reference", "plan") == STARTS
+    assert told("fk, line 1:1") == REST
+
+
 def test_the_table_has_the_score_and_the_survivors():
     mutant = Mutant(language="c", kind=SIGN, where="line 7", before="a + b", after="a - b", make=str)
     caught = [Outcome(robot="one", mutant=mutant, outcome=CAUGHT, reason="C: a law")] * 299
     lived = Outcome(robot="one", mutant=mutant, outcome=SURVIVED, reason="near solutions of choice 0")
     assert percent(caught) == "100.0"
     assert percent([*caught, lived]) == "99.6"
-    text = "\n".join(section({("one", "c"): [*caught, lived]}, "python -m tests.sabotage one"))
+    same = Outcome(robot="one", mutant=replace(mutant, where="polish, line 9:1"), outcome=EQUAL, reason="")
+    text = "\n".join(section({("one", "c"): [*caught, lived, same]}, "python -m tests.sabotage one"))
     assert "    python -m tests.sabotage one\n" in text
-    assert "| one | 300 | 299 | 1 | 0 | 0 | 0 | 99.6 |" in text
+    assert "| one | 301 | 299 | 1 | 1 | 0 | 0 | 99.6 |" in text
+    assert "| 1 | a root is moved onto its pose" in text
     assert "| a law | 299 |" in text
     assert "SURVIVED (near solutions of choice 0): one, c, line 7: sign flipped: a + b -> a - b" in text
     assert lines("one", "c", [lived])[1].endswith("a + b -> a - b")
