@@ -1,0 +1,57 @@
+"""``python -m tests.mutation [--sample N] [--seed S] [--write]``: what kinsym's tests say of broken mathematics.
+
+It takes ``pip install cosmic-ray`` beside what the tests need, and for each mutant as long as its tests run until one
+fails: most die within a second.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import tempfile
+from pathlib import Path
+
+from tests.mutation.mutants import PACKAGES, places, sample, version
+from tests.mutation.reasons import reason, reasons
+from tests.mutation.run import Laboratory, Outcome
+from tests.mutation.table import judged, line, percent, score, section
+from tests.reliability import write_section
+
+TITLE = "The tests see broken mathematics"
+ENOUGH = 0.95
+
+
+def main() -> None:
+    """Try mutants, print and perhaps write; 1 if fewer than 95 % of those that change something are killed."""
+    options = _options()
+    made_by, known = version(), reasons()
+    mutants = sample(options.sample, options.seed)
+    found: list[tuple[Outcome, str]] = []
+    with tempfile.TemporaryDirectory(prefix="kinsym-") as folder:
+        laboratory = Laboratory(Path(folder).resolve())
+        print(f"without a change the tests take {laboratory.prepare(one.module for one in mutants):.0f} s", flush=True)
+        for mutant in mutants:
+            found.append((laboratory.try_out(mutant), reason(mutant, known)))
+            print(line(*found[-1]), flush=True)
+    verdicts = [judged(*one) for one in found]
+    print(f"{len(found)} mutants, score {percent(verdicts)} %")
+    if options.write:
+        command = f"python -m tests.mutation --sample {options.sample} --seed {options.seed}"
+        sizes = {package: len(places(package)) for package in PACKAGES}
+        write_section(TITLE, section(found, sizes, command, made_by))
+    sys.exit(0 if score(verdicts) >= ENOUGH else 1)
+
+
+def _options() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="python -m tests.mutation", description=__doc__)
+    parser.add_argument("--sample", type=int, default=120, help="mutants (120)")
+    parser.add_argument("--seed", type=int, default=1, help="another number, other mutants (1)")
+    parser.add_argument("--write", action="store_true", help="also write the section of docs/reliability.md")
+    options = parser.parse_args()
+    if options.sample < 1:
+        parser.error("--sample must be 1 at least")
+    return options
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,161 @@
+"""Mutants of the packages that hold the mathematics, made by cosmic-ray and drawn with a seed.
+
+A place is drawn first, then one of the ways to change it: else the eleven operators that may stand for a plus would be
+most of every sample. Left out is what cannot change anything that is computed: annotations, which nothing evaluates; a
+comparison with ``==`` where the same was asked with ``is`` of None or of a member of an enumeration; and a cache taken
+away.
+"""
+
+from __future__ import annotations
+
+import ast
+import difflib
+import random
+import sys
+import warnings
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+PACKAGES = ("algebra", "kinematics", "inverse")
+#: The version whose operators the page's figures come from; another one may draw other mutants.
+REQUIREMENT = "cosmic-ray>=8.4"
+
+_SAME = ("ReplaceComparisonOperator_Is_Eq", "ReplaceComparisonOperator_IsNot_NotEq")
+_CACHES = ("@cache", "@lru_cache")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Mutant:
+    """One change: the module, its text, the lines that are others, what cosmic-ray calls the change."""
+
+    module: str
+    text: str
+    line: int
+    before: str
+    after: str
+    operator: str
+
+    @property
+    def package(self) -> str:
+        """The package below ``kinsym`` that the module belongs to."""
+        return self.module.split("/")[1]
+
+    def __str__(self) -> str:
+        return f"{self.module}:{self.line}: {self.before} -> {self.after}"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Place:
+    """A part of a module and all the ways in which one kind of change can be made there."""
+
+    module: str
+    operators: tuple[tuple[str, int], ...]
+
+
+def sample(number: int, seed: int, root: Path = ROOT) -> list[Mutant]:
+    """``number`` mutants of different places, those of one module together and in the order of its lines."""
+    every = [place for package in PACKAGES for place in places(package, root)]
+    drawn = random.Random(f"places {seed}").sample(every, len(every))
+    found: list[Mutant] = []
+    for place in drawn:
+        if len(found) == number:
+            break
+        ways = random.Random(f"{place} {seed}").sample(place.operators, len(place.operators))
+        mutants = (_mutant(place.module, *way, root) for way in ways)
+        found += [mutant for mutant in mutants if mutant is not None][:1]
+    return sorted(found, key=lambda mutant: (PACKAGES.index(mutant.package), mutant.module, mutant.line))
+
+
+def places(package: str, root: Path = ROOT) -> list[Place]:
+    """The places of a package, in the order of its files."""
+    found = []
+    for path in sorted((root / "kinsym" / package).rglob("*.py")):
+        module = path.relative_to(root).as_posix()
+        ways: dict[tuple[Any, ...], list[tuple[str, int]]] = {}
+        for start, end, operator, occurrence in _positions(path.read_text(encoding="utf-8")):
+            ways.setdefault((start, end, operator.partition("_")[0]), []).append((operator, occurrence))
+        found += [Place(module=module, operators=tuple(ways[key])) for key in sorted(ways)]
+    return found
+
+
+def _positions(text: str) -> Iterator[tuple[tuple[int, int], tuple[int, int], str, int]]:
+    """Start, end, operator and its occurrence of every change that can matter."""
+    from cosmic_ray.ast import ast_nodes, get_ast
+    from cosmic_ray.plugins import get_operator, operator_names
+
+    nodes, idle, lines = list(ast_nodes(get_ast(text))), _annotations(text), text.splitlines()
+    for name in operator_names():
+        operator_class = get_operator(name)
+        if operator_class.arguments() or name.endswith(_SAME):
+            continue
+        operator = operator_class()
+        ends = (ends for node in nodes for ends in operator.mutation_positions(node))
+        for occurrence, (start, end) in enumerate(ends):
+            cached = "RemoveDecorator" in name and lines[start[0] - 1].strip().startswith(_CACHES)
+            if not cached and not any(first <= start and end <= last for first, last in idle):
+                yield start, end, name, occurrence
+
+
+def _annotations(text: str) -> list[tuple[tuple[int, int], tuple[int, int]]]:
+    """Where the annotations of a module begin and end."""
+    found = []
+    for node in ast.walk(ast.parse(text)):
+        for annotation in (getattr(node, "annotation", None), getattr(node, "returns", None)):
+            if annotation is not None:
+                start, end = (
+                    (annotation.lineno, annotation.col_offset),
+                    (annotation.end_lineno, annotation.end_col_offset),
+                )
+                found.append((start, end))
+    return found
+
+
+def _mutant(module: str, operator: str, occurrence: int, root: Path) -> Mutant | None:
+    """The mutant of one change; None if Python refuses it or warns of it, or if it is the same program."""
+    from cosmic_ray.mutating import mutate_code
+    from cosmic_ray.plugins import get_operator
+
+    old = (root / module).read_text(encoding="utf-8")
+    new = mutate_code(old, get_operator(operator)(), occurrence)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            if new is None:
+                return None
+            compile(new, module, "exec")
+    except (SyntaxError, SyntaxWarning):
+        return None
+    if ast.dump(ast.parse(new)) == ast.dump(ast.parse(old)):
+        return None
+    return changed(module, old, new, operator.rpartition("/")[2])
+
+
+def changed(module: str, old: str, new: str, operator: str) -> Mutant:
+    """The mutant that a changed text of a module is."""
+    first, second = old.splitlines(), new.splitlines()
+    matcher = difflib.SequenceMatcher(a=first, b=second, autojunk=False)
+    parts = [code for code in matcher.get_opcodes() if code[0] != "equal"]
+    before = [line.strip() for _, i, j, _, _ in parts for line in first[i:j]]
+    after = [line.strip() for _, _, _, i, j in parts for line in second[i:j]]
+    return Mutant(
+        module=module,
+        text=new,
+        line=parts[0][1] + 1,
+        before=" ".join(" ".join(before).split()),
+        after=" ".join(" ".join(after).split()),
+        operator=operator,
+    )
+
+
+def version() -> str:
+    """The version of cosmic-ray; ends the program with one line where it is missing."""
+    from importlib.metadata import PackageNotFoundError
+    from importlib.metadata import version as version_of
+
+    try:
+        return version_of("cosmic-ray")
+    except PackageNotFoundError:
+        sys.exit(f"cosmic-ray makes the mutants and is not installed: pip install '{REQUIREMENT}'")
