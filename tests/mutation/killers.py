@@ -29,4 +29,4 @@ KILLERS: dict[str, tuple[str, ...]] = {
 def stages(module: str) -> tuple[str, ...]:
     """What is given to pytest for a module, one call after the other, until a test fails."""
     longest = max((name for name in KILLERS if module.startswith(name)), key=len)
-    return (module, *KILLERS[longest])
+    return (module, *KILLERS[longest], "tests/test_frozen.py")

@@ -1,9 +1,9 @@
 """Mutants of the packages that hold the mathematics, made by cosmic-ray and drawn with a seed.
 
 A place is drawn first, then one of the ways to change it: else the eleven operators that may stand for a plus would be
-most of every sample. Left out is what cannot change anything that is computed: annotations, which nothing evaluates; a
-comparison with ``==`` where the same was asked with ``is`` of None or of a member of an enumeration; and a cache taken
-away.
+most of every sample. Left out is what cannot change anything that is computed: annotations, which nothing evaluates;
+``strict`` of zip and ``kw_only`` of a dataclass, which refuse what no caller does; a comparison with ``==`` where the same
+was asked with ``is`` of None or of a member of an enumeration; and a cache taken away.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ REQUIREMENT = "cosmic-ray>=8.4"
 
 _SAME = ("ReplaceComparisonOperator_Is_Eq", "ReplaceComparisonOperator_IsNot_NotEq")
 _CACHES = ("@cache", "@lru_cache")
+_REFUSALS = ("strict", "kw_only")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -86,7 +87,7 @@ def _positions(text: str) -> Iterator[tuple[tuple[int, int], tuple[int, int], st
     from cosmic_ray.ast import ast_nodes, get_ast
     from cosmic_ray.plugins import get_operator, operator_names
 
-    nodes, idle, lines = list(ast_nodes(get_ast(text))), _annotations(text), text.splitlines()
+    nodes, idle, lines = list(ast_nodes(get_ast(text))), _idle(text), text.splitlines()
     for name in operator_names():
         operator_class = get_operator(name)
         if operator_class.arguments() or name.endswith(_SAME):
@@ -99,17 +100,17 @@ def _positions(text: str) -> Iterator[tuple[tuple[int, int], tuple[int, int], st
                 yield start, end, name, occurrence
 
 
-def _annotations(text: str) -> list[tuple[tuple[int, int], tuple[int, int]]]:
-    """Where the annotations of a module begin and end."""
+def _idle(text: str) -> list[tuple[tuple[int, int], tuple[int, int]]]:
+    """Where annotations and arguments that only refuse begin and end."""
     found = []
     for node in ast.walk(ast.parse(text)):
-        for annotation in (getattr(node, "annotation", None), getattr(node, "returns", None)):
-            if annotation is not None:
-                start, end = (
-                    (annotation.lineno, annotation.col_offset),
-                    (annotation.end_lineno, annotation.end_col_offset),
-                )
-                found.append((start, end))
+        parts = [getattr(node, "annotation", None), getattr(node, "returns", None)]
+        parts += [node.value] if isinstance(node, ast.keyword) and node.arg in _REFUSALS else []
+        found += [
+            ((part.lineno, part.col_offset), (part.end_lineno or 0, part.end_col_offset or 0))
+            for part in parts
+            if part is not None
+        ]
     return found
 
 

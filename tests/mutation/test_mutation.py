@@ -98,10 +98,11 @@ def test_lines_that_change_are_named() -> None:
     assert one.package == "algebra"
 
 
-def test_annotations_are_left_alone() -> None:
-    (first, second) = sorted(mutants._annotations(GOOD))
-    lines = GOOD.splitlines()
-    assert [lines[start[0] - 1][start[1] : end[1]] for start, end in (first, second)] == ["int", "int"]
+def test_what_is_never_computed_is_left_alone() -> None:
+    text = f"{GOOD}\npairs = dict(zip((), (), strict=True))"
+    lines = text.splitlines()
+    idle = [lines[start[0] - 1][start[1] : end[1]] for start, end in sorted(mutants._idle(text))]
+    assert idle == ["int", "int", "True"]
 
 
 def test_without_cosmic_ray_one_line_says_what_to_do(monkeypatch: pytest.MonkeyPatch) -> None:
