@@ -29,7 +29,6 @@ def main() -> None:
     found: list[tuple[Outcome, str]] = []
     with tempfile.TemporaryDirectory(prefix="kinsym-") as folder:
         laboratory = Laboratory(Path(folder).resolve())
-        print(f"without a change the tests take {laboratory.prepare(one.module for one in mutants):.0f} s", flush=True)
         for mutant in mutants:
             found.append((laboratory.try_out(mutant), reason(mutant, known)))
             print(line(*found[-1]), flush=True)

@@ -2,8 +2,8 @@
 
 A place is drawn first, then one of the ways to change it: else the eleven operators that may stand for a plus would be
 most of every sample. Left out is what cannot change anything that is computed: annotations, which nothing evaluates;
-``strict`` of zip and ``kw_only`` of a dataclass, which refuse what no caller does; a comparison with ``==`` where the same
-was asked with ``is`` of None or of a member of an enumeration; and a cache taken away.
+``strict`` of zip and ``kw_only`` of a dataclass, which refuse what no caller does; a comparison with ``==`` where the
+same was asked with ``is`` of None or of a member of an enumeration; and a cache taken away.
 """
 
 from __future__ import annotations

@@ -9,7 +9,8 @@ import resource
 import shutil
 import signal
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -60,75 +61,74 @@ class Laboratory:
         for name in ("flint", "hypothesis", "jinja2", "mpmath", "numpy", "sympy"):
             __import__(name)
 
-    def prepare(self, modules: Iterable[str]) -> float:
-        """Run every test that will be needed once, unchanged, which also compiles the copy; the seconds it took."""
-        for stage in dict.fromkeys(stage for module in modules for stage in self._calls(module)):
-            reason, self._seconds[stage] = self._in_child((stage,), compiled=True)
-            if reason is not None:
-                raise Unsound(f"{stage}: {reason}")
-        return sum(self._seconds.values())
-
     def try_out(self, mutant: Mutant) -> Outcome:
-        """Put a mutant in its place, run the tests of its module, and put the module back."""
+        """Run the tests of a module with a mutant in its place, call by call, until one fails."""
+        reason, total = None, 0.0
+        for call in self._calls(mutant.module):
+            limit = SECONDS + PATIENCE * self._without(call)
+            with self._placed(mutant):
+                reason, seconds = self._in_child(call, limit)
+            total += seconds
+            if reason is not None:
+                return Outcome(mutant=mutant, outcome=KILLED, reason=reason, seconds=total)
+        return Outcome(mutant=mutant, outcome=SURVIVED, reason="", seconds=total)
+
+    def _without(self, call: str) -> float:
+        """Seconds that tests take without a change, which also compiles the copy; raises Unsound if they fail."""
+        if call not in self._seconds:
+            reason, self._seconds[call] = self._in_child(call, None)
+            if reason is not None:
+                raise Unsound(f"{call}: {reason}")
+        return self._seconds[call]
+
+    @contextmanager
+    def _placed(self, mutant: Mutant) -> Iterator[None]:
+        """The copy with the mutant in it."""
         path = self._folder / mutant.module
         good, status = path.read_bytes(), path.stat()
         try:
             path.write_text(mutant.text, encoding="utf-8")
             # compiled code is taken for that of a source of the same size and second
             os.utime(path, (status.st_atime, status.st_mtime + 60))
-            reason, seconds = self._in_child(self._calls(mutant.module))
+            yield
         finally:
             path.write_bytes(good)
             os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
-        outcome = SURVIVED if reason is None else KILLED
-        return Outcome(mutant=mutant, outcome=outcome, reason=reason or "", seconds=seconds)
 
-    def _in_child(self, calls: tuple[str, ...], *, compiled: bool = False) -> tuple[str | None, float]:
+    def _in_child(self, call: str, limit: float | None) -> tuple[str | None, float]:
         """The first test that fails, or how the process ended; None if all pass. And its processor time."""
         context = multiprocessing.get_context("fork")
         ours, theirs = context.Pipe(duplex=False)
-        child = context.Process(target=self._child, args=(calls, compiled, theirs))
+        child = context.Process(target=self._child, args=(call, limit, theirs))
         before = _children()
         child.start()
         theirs.close()
-        try:
-            reason = ours.recv()
-        except EOFError:
-            reason = None
-            ended = False
-        else:
-            ended = True
+        told: list[str | None] = []
+        with suppress(EOFError):
+            told.append(ours.recv())
         child.join()
-        if not ended:
-            reason = ENDLESS if child.exitcode in (-signal.SIGXCPU, -signal.SIGKILL) else CRASHED
-        return reason, _children() - before
+        end = ENDLESS if child.exitcode in (-signal.SIGXCPU, -signal.SIGKILL) else CRASHED
+        return (told[0] if told else end), _children() - before
 
-    def _child(self, calls: tuple[str, ...], compiled: bool, pipe: Any) -> None:
-        """Run the tests of the copy with the modules of the copy."""
+    def _child(self, call: str, limit: float | None, pipe: Any) -> None:
+        """Run tests of the copy with the modules of the copy."""
         faulthandler.disable()
         resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
+        if limit is not None:
+            resource.setrlimit(resource.RLIMIT_CPU, (round(limit), round(limit)))
         nowhere = os.open(os.devnull, os.O_RDWR)
         for stream in (0, 1, 2):
             os.dup2(nowhere, stream)
-        sys.dont_write_bytecode = not compiled
+        sys.dont_write_bytecode = limit is not None
         os.chdir(self._folder)
         sys.path[:] = [str(self._folder), *(place for place in sys.path if not _ours(place))]
         for name in [name for name in sys.modules if name.partition(".")[0] in ("kinsym", "tests")]:
             del sys.modules[name]
-        pipe.send(self._first_failure(calls, compiled))
+        watch = _Watch()
+        status = pytest.main([*_OPTIONS, call], plugins=[watch])
+        passed = status in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED)
+        pipe.send(None if passed else watch.failed or CRASHED)
         pipe.close()
-
-    def _first_failure(self, calls: tuple[str, ...], compiled: bool) -> str | None:
-        for call in calls:
-            if not compiled:
-                used = resource.getrusage(resource.RUSAGE_SELF)
-                limit = used.ru_utime + used.ru_stime + SECONDS + PATIENCE * self._seconds[call]
-                resource.setrlimit(resource.RLIMIT_CPU, (round(limit), resource.RLIM_INFINITY))
-            watch = _Watch()
-            status = pytest.main([*_OPTIONS, call], plugins=[watch])
-            if status not in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED):
-                return watch.failed or CRASHED
-        return None
 
 
 class _Watch:
