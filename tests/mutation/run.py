@@ -17,7 +17,7 @@ from typing import Any
 
 import pytest
 
-from tests.mutation.killers import stages
+from tests.mutation.killers import calls as calls_of
 from tests.mutation.mutants import ROOT, Mutant
 
 #: What the tests read. Nothing is ever written anywhere but in the copy.
@@ -26,7 +26,7 @@ KILLED, SURVIVED = "killed", "SURVIVED"
 ENDLESS, CRASHED, NO_IMPORT = "never ends", "crashes", "cannot be imported"
 
 #: A mutant may take this many times what a call of pytest takes without it and as many seconds more, and these bytes.
-PATIENCE, SECONDS, BYTES = 2, 5, 8 * 2**30
+PATIENCE, SECONDS, BYTES = 3, 5, 8 * 2**30
 #: What is loaded before a child is made cannot be rewritten by pytest, which warns of it.
 _LOADED = "ignore::pytest.PytestAssertRewriteWarning"
 _OPTIONS = ("-q", "-x", "-n", "0", "-p", "no:cacheprovider", "--tb=no", "-W", _LOADED)
@@ -49,7 +49,7 @@ class Unsound(Exception):
 class Laboratory:
     """A copy of the tree, in which one module at a time is another."""
 
-    def __init__(self, folder: Path, root: Path = ROOT, calls: Callable[[str], tuple[str, ...]] = stages) -> None:
+    def __init__(self, folder: Path, root: Path = ROOT, calls: Callable[[str], tuple[str, ...]] = calls_of) -> None:
         self._folder, self._calls = folder, calls
         for name in TREE:
             source = root / name
@@ -125,7 +125,7 @@ class Laboratory:
         for name in [name for name in sys.modules if name.partition(".")[0] in ("kinsym", "tests")]:
             del sys.modules[name]
         watch = _Watch()
-        status = pytest.main([*_OPTIONS, call], plugins=[watch])
+        status = pytest.main([*_OPTIONS, *call.split()], plugins=[watch])
         passed = status in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED)
         pipe.send(None if passed else watch.failed or CRASHED)
         pipe.close()
