@@ -1,7 +1,8 @@
-"""How each arm that is not in the gallery is solved: ``tests/ways.txt``, a line an arm, with a checksum of all formulas.
+"""How each arm outside the gallery is solved: ``tests/ways.txt``, a line an arm, with a checksum of all its formulas.
 
-``generated/`` holds every byte of the gallery; these arms need what no robot of the gallery needs (polynomials of degree
-four, slides between turns, locked joints). After a change that is meant: ``python -m tests.ways``, then read the difference.
+``generated/`` holds every byte of the gallery; these arms need what no robot of the gallery needs (polynomials of
+degree four, slides between turns, locked joints). After a change that is meant: ``python -m tests.ways``, then read
+the difference.
 """
 
 from __future__ import annotations

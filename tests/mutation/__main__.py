@@ -25,7 +25,8 @@ def main() -> None:
     """Try mutants, print and perhaps write; 1 if fewer than 95 % of those that change something are killed."""
     options = _options()
     made_by, known = version(), reasons()
-    mutants = sample(options.sample, options.seed)
+    every = {package: places(package) for package in PACKAGES}
+    mutants = sample([place for there in every.values() for place in there], options.sample, options.seed)
     found: list[tuple[Outcome, str]] = []
     with tempfile.TemporaryDirectory(prefix="kinsym-") as folder:
         laboratory = Laboratory(Path(folder).resolve())
@@ -36,8 +37,7 @@ def main() -> None:
     print(f"{len(found)} mutants, score {percent(verdicts)} %")
     if options.write:
         command = f"python -m tests.mutation --sample {options.sample} --seed {options.seed}"
-        sizes = {package: len(places(package)) for package in PACKAGES}
-        write_section(TITLE, section(found, sizes, command, made_by))
+        write_section(TITLE, section(found, {name: len(there) for name, there in every.items()}, command, made_by))
     sys.exit(0 if score(verdicts) >= ENOUGH else 1)
 
 

@@ -13,7 +13,7 @@ import difflib
 import random
 import sys
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -56,9 +56,8 @@ class Place:
     operators: tuple[tuple[str, int], ...]
 
 
-def sample(number: int, seed: int, root: Path = ROOT) -> list[Mutant]:
+def sample(every: Sequence[Place], number: int, seed: int, root: Path = ROOT) -> list[Mutant]:
     """``number`` mutants of different places, those of one module together and in the order of its lines."""
-    every = [place for package in PACKAGES for place in places(package, root)]
     drawn = random.Random(f"places {seed}").sample(every, len(every))
     found: list[Mutant] = []
     for place in drawn:
