@@ -24,15 +24,16 @@ ENOUGH = 0.95
 def main() -> None:
     """Try mutants, print and perhaps write; 1 if fewer than 95 % of those that change something are killed."""
     options = _options()
-    made_by, known = version(), reasons()
-    every = {package: places(package) for package in PACKAGES}
+    made_by, every = version(), {package: places(package) for package in PACKAGES}
     mutants = sample([place for there in every.values() for place in there], options.sample, options.seed)
-    found: list[tuple[Outcome, str]] = []
+    outcomes: list[Outcome] = []
     with tempfile.TemporaryDirectory(prefix="kinsym-") as folder:
         laboratory = Laboratory(Path(folder).resolve())
         for mutant in mutants:
-            found.append((laboratory.try_out(mutant), reason(mutant, known)))
-            print(line(*found[-1]), flush=True)
+            outcomes.append(laboratory.try_out(mutant))
+            # a run is long: reasons may be written while it goes on
+            print(line(outcomes[-1], reason(mutant, reasons())), flush=True)
+    found = [(outcome, reason(outcome.mutant, reasons())) for outcome in outcomes]
     verdicts = [judged(*one) for one in found]
     print(f"{len(found)} mutants, score {percent(verdicts)} %")
     if options.write:

@@ -17,9 +17,9 @@ One change at a time is made in the Python of `kinsym/algebra/`, `kinsym/kinemat
 of the tree: an operator, a comparison or a number is another one, a condition is turned round, a loop does nothing, a
 decorator is gone. cosmic-ray {version} makes the changes; which, is drawn with the seed, a place first and then one of
 the ways to change it. Annotations, `strict`, `kw_only`, `is` for `==` and caches are left alone: nothing that is
-computed depends on them. *Killed*: a test of those that `tests/mutation/killers.py` names for the module fails, or they
-take more than three times as long as without the change. *Equal*: no test can fail, for the reason that stands below.
-The score is killed / (killed + survived).
+computed depends on them. *Killed*: a test of those that `tests/mutation/killers.py` names for the module fails, or runs
+for 5 s more than three times the longest of them without the change. *Equal*: no test can fail, for the reason that
+stands below. The score is killed / (killed + survived).
 """
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from tests.mutation import mutants
 from tests.mutation.killers import KILLERS, calls
-from tests.mutation.mutants import PACKAGES, ROOT, Mutant, changed
+from tests.mutation.mutants import PACKAGES, ROOT, Mutant, Place, changed, sample
 from tests.mutation.reasons import reason, reasons
 from tests.mutation.run import ENDLESS, KILLED, NO_IMPORT, SURVIVED, TREE, Laboratory, Outcome, Unsound
 from tests.mutation.table import EQUAL, judged, line, percent, section
@@ -93,6 +94,21 @@ def test_lines_that_change_are_named() -> None:
     one = mutant("value % 2", "value %  3")
     assert str(one) == f"{MODULE}:7: while value % 2: -> while value % 3:"
     assert one.package == "algebra"
+
+
+def test_a_seed_draws_a_place_first_and_what_is_no_program_never(monkeypatch: pytest.MonkeyPatch) -> None:
+    def made(module: str, operator: str, occurrence: int, root: Path) -> Mutant | None:
+        return None if operator == "no program" else replace(mutant("% 2", "% 3"), line=occurrence, operator=operator)
+
+    monkeypatch.setattr(mutants, "_mutant", made)
+    ways = tuple((f"way {number}", 0) for number in range(11))
+    every = [Place(module=MODULE, operators=(("no program", 0), *ways))]
+    every += [Place(module=MODULE, operators=(("other", number), ("no program", 0))) for number in range(1, 20)]
+    every += [Place(module=MODULE, operators=(("no program", 0),))]
+    first = sample(every, 10, 1)
+    assert first == sample(every, 10, 1) != sample(every, 10, 2)
+    assert [one.line for one in first] == sorted({one.line for one in first})
+    assert len(sample(every, 99, 1)) == 20
 
 
 def test_what_is_never_computed_is_left_alone() -> None:
