@@ -15,6 +15,7 @@ import sys
 import warnings
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -56,17 +57,12 @@ class Place:
     operators: tuple[tuple[str, int], ...]
 
 
-def sample(every: Sequence[Place], number: int, seed: int, root: Path = ROOT) -> list[Mutant]:
-    """``number`` mutants of different places, those of one module together and in the order of its lines."""
-    drawn = random.Random(f"places {seed}").sample(every, len(every))
-    found: list[Mutant] = []
-    for place in drawn:
-        if len(found) == number:
-            break
+def sample(every: Sequence[Place], seed: int, root: Path = ROOT) -> Iterator[Mutant]:
+    """A mutant of every place, in the order in which the seed draws them: the first are a smaller sample."""
+    for place in random.Random(f"places {seed}").sample(every, len(every)):
         ways = random.Random(f"{place} {seed}").sample(place.operators, len(place.operators))
         mutants = (_mutant(place.module, *way, root) for way in ways)
-        found += [mutant for mutant in mutants if mutant is not None][:1]
-    return sorted(found, key=lambda mutant: (PACKAGES.index(mutant.package), mutant.module, mutant.line))
+        yield from islice((mutant for mutant in mutants if mutant is not None), 1)
 
 
 def places(package: str, root: Path = ROOT) -> list[Place]:
