@@ -16,6 +16,7 @@ import warnings
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
+from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
@@ -58,9 +59,13 @@ class Place:
 
 
 def sample(every: Sequence[Place], seed: int, root: Path = ROOT) -> Iterator[Mutant]:
-    """A mutant of every place, in the order in which the seed draws them: the first are a smaller sample."""
-    for place in random.Random(f"places {seed}").sample(every, len(every)):
-        ways = random.Random(f"{place} {seed}").sample(place.operators, len(place.operators))
+    """A mutant of every place, in the order in which the seed draws them: the first are a smaller sample.
+
+    Every place draws for itself, so that a module that changes leaves the mutants of the others what they are.
+    """
+    draws = [(random.Random(f"{place} {seed}"), place) for place in every]
+    for _, generator, place in sorted(((draw.random(), draw, place) for draw, place in draws), key=itemgetter(0)):
+        ways = generator.sample(place.operators, len(place.operators))
         mutants = (_mutant(place.module, *way, root) for way in ways)
         yield from islice((mutant for mutant in mutants if mutant is not None), 1)
 

@@ -108,6 +108,7 @@ def test_a_seed_draws_a_place_first_and_what_is_no_program_never(monkeypatch: py
     drawn = list(sample(every, 1))
     assert drawn == list(sample(every, 1)) != list(sample(every, 2))
     assert sorted(one.line for one in drawn) == list(range(20))
+    assert list(sample(every[1:], 1)) == [one for one in drawn if one.operator == "other"]
 
 
 def test_what_is_never_computed_is_left_alone() -> None:
