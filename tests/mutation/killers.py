@@ -35,6 +35,8 @@ KILLERS: dict[str, tuple[str, ...]] = {
     "kinsym/inverse/families.py": (GOLDEN, FAMILIES),
     "kinsym/inverse/locks.py": ("tests/inverse/test_locks.py",),
     "kinsym/inverse/neighbours.py": ("tests/inverse/test_verdict.py",),
+    "kinsym/inverse/choices.py": ("tests/terminal/test_explain.py",),
+    "kinsym/inverse/needed.py": ("tests/terminal/test_explain.py",),
     "kinsym/inverse/nonzero.py": (
         GOLDEN,
         WAYS,

@@ -47,7 +47,7 @@ class Mutant:
         return self.module.split("/")[1]
 
     def __str__(self) -> str:
-        return f"{self.module}:{self.line}: {self.before} -> {self.after}"
+        return f"{self.module}:{self.line}: {self.before} -> {self.after or 'nothing'}"
 
 
 @dataclass(frozen=True, kw_only=True)
