@@ -8,11 +8,11 @@ PAGE = Path(__file__).resolve().parent.parent / "docs" / "reliability.md"
 
 HEAD = """# How far the generated code and its checks can be trusted
 
-Written by the commands that are named below, from what they measured. A robot's poses and mutants are drawn with its
-own seed: the same command finds the same again, but for what another compiler rounds differently.
+Written by the commands that are named below, from what they measured. What is drawn at random is drawn with a seed: the
+same command finds the same again, but for what another compiler rounds differently.
 """
 #: The sections in the order in which they stand on the page.
-TITLES = ("The checks catch sabotage", "Long runs", "Single precision")
+TITLES = ("The checks catch sabotage", "The tests see broken mathematics", "Long runs", "Single precision")
 
 
 def write_section(title: str, lines: list[str], page: Path = PAGE) -> None:

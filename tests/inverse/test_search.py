@@ -1,4 +1,4 @@
-"""The search for a plan: it ends soon where there is none."""
+"""The search stays within its budget of states, and ends soon where there is no plan."""
 
 from __future__ import annotations
 
@@ -10,13 +10,26 @@ import pytest
 
 from kinsym.errors import NoClosedForm
 from kinsym.inverse import search
+from kinsym.inverse.search import derive_plan
 from kinsym.inverse.state import State
 from kinsym.kinematics.chain import build_chain
 from kinsym.robot import from_inline
 from kinsym.robot.model import Task
+from tests.arms import derivation, robot
 
-#: A made-up arm whose two slides can be put into hundreds of equations with hundreds of terms.
-SLIDES = "pi/3 a1 d1 pi/2; pi/3 a2 l2 theta2; deg(-30) a3 d3 0; -pi/4 a4 l4 theta4; 0 a5 l5 theta5"  # alpha a d theta
+# Candidates on the way of each arm: one for every unknown, but two angles of a triangle or a quartic come together.
+NEEDED = {"planar_rr": 1, "planar_rrr_paul": 2, "puma560": 5, "fanuc_s900w": 5, "ur5": 5, "gantry_wrist": 6}
+
+#: A made-up arm whose two slides can be put into hundreds of equations with hundreds of terms: alpha a d theta.
+SLIDES = "pi/3 a1 d1 pi/2; pi/3 a2 l2 theta2; deg(-30) a3 d3 0; -pi/4 a4 l4 theta4; 0 a5 l5 theta5"
+
+
+@pytest.mark.parametrize("name", NEEDED)
+def test_an_arm_needs_as_many_states_as_its_way_has_and_not_one_less(name: str) -> None:
+    plan, chain = derivation(name).plan, build_chain(robot(name))
+    assert derive_plan(chain, plan.task, budget=NEEDED[name]) == plan
+    with pytest.raises(NoClosedForm):
+        derive_plan(chain, plan.task, budget=NEEDED[name] - 1)
 
 
 def test_a_dead_end_is_looked_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -34,7 +47,7 @@ def test_a_dead_end_is_looked_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(search, "stages", watched)
     chain = build_chain(from_inline(SLIDES, convention="paul", name="arm"))
     with pytest.raises(NoClosedForm, match="d1, d3, theta5"):
-        search.derive_plan(chain, Task.POSITION_AXIS)
+        derive_plan(chain, Task.POSITION_AXIS)
     assert len(visits) > 2
     assert set(visits.values()) == {1}
     assert longest < 300

@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
+from kinsym.algebra.ring import Poly
 from kinsym.inverse.plan import Plan
 from kinsym.inverse.rules import TITLES
+from kinsym.inverse.rules.square_and_add_slide import _leading
+from kinsym.kinematics.chain import build_chain
+from kinsym.robot import load
 from tests.arms import NAMES, derivation, numpy_module
 
 STARTS, STEPS = 300, 60
@@ -110,3 +117,16 @@ def test_solutions_are_exact_next_to_the_axes(distance: float, axis: int) -> Non
         found = module.ik(T, reference=q, **parameters)
         assert len(found) > 0
         assert np.abs(module.fk(found, **parameters)[:, :3, 3] - T[:3, 3]).max() < 1e-11
+
+
+def test_the_degree_that_is_left_of_squares_and_its_coefficient() -> None:
+    """(5 + 2 d + d^2)^2 - (7 + 2 d + d^2)^2 = -24 - 8 d - 4 d^2: half of it by terms that are not squares."""
+    ring = build_chain(load("planar_rr")).ring
+
+    def line(*numbers: int) -> tuple[Poly, ...]:
+        return tuple(ring.number(Fraction(number)) for number in numbers)
+
+    state = SimpleNamespace(chain=SimpleNamespace(ring=ring), values=lambda poly: [int(bool(poly))])
+    sides = [SimpleNamespace(rest=line(*numbers), scale=ring.one) for numbers in ((5, 2, 1), (0, 0, 0))]
+    pair = SimpleNamespace(sides=sides, k1=line(7, 2, 1), k2=line(0, 0, 0))
+    assert _leading(state, pair) == (2, ring.number(Fraction(-4)))

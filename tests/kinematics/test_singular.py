@@ -192,6 +192,18 @@ def test_a_factor_that_is_too_long_is_left_whole_and_the_others_found(monkeypatc
         assert determinant(posture.jacobian(Task.POSE)) == value(found, posture)
 
 
+@pytest.mark.parametrize(
+    ("name", "reason"),
+    [
+        ("general_pieper", "joints 1, 2 and 3 move the wrist centre in fewer than 3 ways"),
+        ("pieper_first", "joints 4, 5 and 6 move the point where axes 1, 2 and 3 meet in fewer than 3 ways"),
+    ],
+)
+def test_three_joints_that_carry_a_point_are_named_where_no_figure_fits(name: str, reason: str) -> None:
+    """The other condition is the wrist's, so this one is the determinant of the position alone."""
+    assert [c.meaning.reason for c in derivation(name).singular.conditions][1:] == [reason]
+
+
 def test_the_same_set_in_every_convention_and_unit() -> None:
     twins = [derivation(name).singular for name in ("planar_rrr_paul", "planar_rrr_craig", "planar_rrr_screw")]
     assert len({tuple(c.meaning.reason for c in one.conditions) for one in twins}) == 1

@@ -17,7 +17,6 @@ from kinsym.kinematics.links import Motion, Rigid
 from kinsym.robot.model import Task
 
 Matrix = tuple[Numbers, Numbers, Numbers]
-_ANGULAR = (3, 4, 5)
 
 
 @dataclass(frozen=True)

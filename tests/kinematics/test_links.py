@@ -1,0 +1,64 @@
+"""Frames along given axes: rotations, the same for the same direction, and refused where no exact one is known."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+
+from kinsym.algebra.ring import Poly, Ring
+from kinsym.errors import RobotError
+from kinsym.kinematics.chain import build_chain
+from kinsym.kinematics.links import axis_frame
+from kinsym.robot import load
+
+AXES = [
+    (0, 0, 1),
+    (0, 0, -1),
+    (1, 0, 0),
+    (0, -1, 0),
+    (0, "3/5", "-4/5"),
+    ("3/5", "4/5", 0),
+    ("-5/13", 0, "12/13"),
+    ("2/3", "1/3", "2/3"),
+    ("2/3", "-1/3", "-2/3"),
+    ("-2/7", "3/7", "6/7"),
+]
+"""Unit vectors with rational components: on a coordinate axis, in a coordinate plane, in none."""
+
+
+@pytest.fixture(scope="module")
+def ring() -> Ring:
+    return build_chain(load("planar_rr")).ring
+
+
+@pytest.mark.parametrize("axis", AXES, ids=str)
+def test_a_frame_turns_z_into_the_axis(ring: Ring, axis: tuple[int | str, ...]) -> None:
+    wanted = tuple(ring.number(Fraction(part)) for part in axis)
+    rows = axis_frame(ring, wanted, 1)
+    columns = list(zip(*rows, strict=True))
+    assert columns[2] == wanted
+
+    def dot(a: tuple[Poly, ...], b: tuple[Poly, ...]) -> Poly:
+        return sum((p * q for p, q in zip(a, b, strict=True)), ring.zero)
+
+    unit = [[ring.one if i == j else ring.zero for j in range(3)] for i in range(3)]
+    assert [[dot(a, b) for b in columns] for a in columns] == unit
+    (x1, y1, z1), (x2, y2, z2) = columns[:2]
+    assert (y1 * z2 - z1 * y2, z1 * x2 - x1 * z2, x1 * y2 - y1 * x2) == wanted
+
+
+def test_z_keeps_its_frame_and_the_smallest_turn_is_about_an_axis_across(ring: Ring) -> None:
+    one, zero = ring.one, ring.zero
+    assert axis_frame(ring, (zero, zero, one), 1) == ((one, zero, zero), (zero, one, zero), (zero, zero, one))
+    x, y, z = (ring.number(Fraction(part, 7)) for part in (-2, 3, 6))
+    rows = axis_frame(ring, (x, y, z), 1)
+    # the turn from z to the axis is about (-y, x, 0), which stays where it is
+    across = (-y, x, zero)
+    assert tuple(sum((p * q for p, q in zip(row, across, strict=True)), zero) for row in rows) == across
+
+
+def test_three_components_that_are_no_numbers_are_refused(ring: Ring) -> None:
+    name = ring["l1"]
+    with pytest.raises(RobotError, match=r"three components that are not rational"):
+        axis_frame(ring, (name, name, name), 1)

@@ -1,0 +1,53 @@
+"""Which tests a mutant has to face: those that concern its module, call by call, the fastest and deadliest first."""
+
+from __future__ import annotations
+
+FROZEN = "tests/test_frozen.py"
+GOLDEN = "tests/mutation/golden.py"
+WAYS = "tests/inverse/test_ways.py"
+LINKS = "tests/kinematics/test_links.py tests/kinematics/test_forward.py"
+SINGULAR = "tests/kinematics/test_singular.py"
+BRANCHES = " ".join(
+    f"tests/control/test_branches.py::{test}"
+    for test in (
+        "test_names_say_how_the_arm_stands",
+        "test_a_planar_elbow_is_left_or_right_of_the_way",
+        "test_the_sign_of_a_slide",
+        "test_the_sign_of_the_first_link_is_that_of_the_table",
+    )
+)
+_FAMILIES = "tests/inverse/test_families.py"
+FAMILIES = f"{_FAMILIES}::test_known_families {_FAMILIES}::test_what_has_to_vanish_is_told_and_a_length_never_does"
+TASKS = "tests/inverse/test_plan.py::test_the_task_that_fits_is_found_without_being_named"
+
+#: By the beginning of a module's name, the longest that fits.
+KILLERS: dict[str, tuple[str, ...]] = {
+    "kinsym/algebra/": ("tests/algebra", GOLDEN, SINGULAR),
+    "kinsym/algebra/symbolic.py": ("tests/algebra", "tests/test_api.py"),
+    "kinsym/kinematics/": (GOLDEN, LINKS),
+    "kinsym/kinematics/arm_class.py": (GOLDEN, "tests/terminal/test_lists_and_json.py::test_classes"),
+    "kinsym/kinematics/convert.py": ("tests/kinematics/test_convert.py",),
+    "kinsym/kinematics/singular/": (GOLDEN, SINGULAR),
+    "kinsym/kinematics/tasks.py": (GOLDEN, TASKS, "tests/inverse/test_locks.py"),
+    "kinsym/inverse/": (GOLDEN, WAYS),
+    "kinsym/inverse/branches.py": (GOLDEN, BRANCHES),
+    "kinsym/inverse/features.py": (GOLDEN, BRANCHES),
+    "kinsym/inverse/families.py": (GOLDEN, FAMILIES),
+    "kinsym/inverse/locks.py": ("tests/inverse/test_locks.py",),
+    "kinsym/inverse/neighbours.py": ("tests/inverse/test_verdict.py",),
+    "kinsym/inverse/choices.py": ("tests/terminal/test_explain.py",),
+    "kinsym/inverse/needed.py": ("tests/terminal/test_explain.py",),
+    "kinsym/inverse/nonzero.py": (
+        GOLDEN,
+        WAYS,
+        "tests/inverse/test_nonzero.py::test_the_plan_lists_what_it_needs_and_no_more",
+    ),
+    "kinsym/inverse/search.py": (GOLDEN, "tests/inverse/test_search.py", WAYS),
+    "kinsym/inverse/verdict.py": ("tests/inverse/test_verdict.py",),
+}
+
+
+def calls(module: str) -> tuple[str, ...]:
+    """What is given to pytest for a module, one call after the other until a test fails: the quickest first."""
+    longest = max((name for name in KILLERS if module.startswith(name)), key=len)
+    return (f"{module} {FROZEN}", *KILLERS[longest])
