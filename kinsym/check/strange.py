@@ -49,12 +49,12 @@ def hold_far(ledger: Ledger, solver: Solver, exact: ExactSolver, answers: Answer
 
 
 def tilted(poses: Floats, angle: float) -> Floats:
-    """Poses (m, 4, 4) turned by an angle about :data:`LINE` through their origins (Rodrigues' formula)."""
+    """Poses (m, 4, 4) turned by an angle about :data:`LINE` through the base's origin (Rodrigues' formula)."""
     x, y, z = LINE
     across = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
     turn = np.eye(3) + np.sin(angle) * across + (1.0 - np.cos(angle)) * across @ across
     turned = poses.copy()
-    turned[:, :3, :3] = turn @ poses[:, :3, :3]
+    turned[:, :3] = turn @ poses[:, :3]
     return turned
 
 
