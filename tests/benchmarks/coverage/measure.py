@@ -179,8 +179,12 @@ class Trial:
         return outcomes
 
     def _closure(self, q: Floats, pose: Floats) -> Floats:
+        """Lengths in arm sizes or, where a slide is drawn out further, in its: a number has no more digits than that."""
+        units = np.abs(np.where(self.screws.revolute, 0.0, q)).max(axis=-1, initial=self.screws.size)
         with np.errstate(invalid="ignore"):
-            return closure(self.screws.forward(q), pose, self.schedule.task, self.screws.size)
+            reached = self.screws.forward(q)
+            off = [closure(T, pose, self.schedule.task, unit) for T, unit in zip(reached, units, strict=True)]
+        return np.array(off, dtype=np.float64)
 
     def _uniform(self, count: int) -> Floats:
         return uniform(self.screws, count, self.rng)

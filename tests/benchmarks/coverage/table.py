@@ -52,7 +52,8 @@ LEGEND = (
     "  from, what damped least squares find from random starts, and what kinsym finds itself; each is proved by",
     "  forward kinematics that share nothing with kinsym.",
     "- *none*: poses without an answer. *wrong*: solutions whose closure is above 1e-9. *copies*: equal solutions.",
-    "- *closure*: the largest entry of FK(q) - T that the task asks for, lengths in arm sizes.",
+    "- *closure*: the largest entry of FK(q) - T that the task asks for, lengths in arm sizes or, where a slide of the",
+    "  solution is drawn out further than that, in its length.",
     "- *singular*: poses at zeros of the task's Jacobian and 1e-3 to 1e-15 beside them. *answered*: at least one exact",
     "  solution. *lost*: the joint vector that the pose was made from is not joined to any solution.",
 )
