@@ -179,7 +179,7 @@ class Trial:
         return outcomes
 
     def _closure(self, q: Floats, pose: Floats) -> Floats:
-        """Lengths in arm sizes or, where a slide is drawn out further, in its: a number has no more digits than that."""
+        """Lengths in arm sizes or, where a slide is drawn out further, in its: no number has more digits."""
         units = np.abs(np.where(self.screws.revolute, 0.0, q)).max(axis=-1, initial=self.screws.size)
         with np.errstate(invalid="ignore"):
             reached = self.screws.forward(q)
