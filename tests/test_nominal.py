@@ -19,9 +19,10 @@ import numpy as np
 import pytest
 
 from kinsym.check import compare
+from kinsym.check.c_solver import CSolver
 from kinsym.check.compiler import compile_shared, find_compiler
+from kinsym.check.exact_solver import ExactSolver
 from kinsym.check.poses import Counts
-from kinsym.check.solvers import CSolver, ExactSolver
 from kinsym.cli import main
 from kinsym.derivation import Derivation
 from kinsym.deriving import derive

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinsym.check.solvers import Floats, TreeKinematics
+from kinsym.check.solvers import Floats
+from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.robot.model import Task
 
 #: Below this share of the largest singular value J has lost a rank, below the second one it may lose two.

@@ -13,7 +13,9 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
-from kinsym.check.solvers import CSolver, Floats, NumpySolver
+from kinsym.check.c_solver import CSolver
+from kinsym.check.numpy_solver import NumpySolver
+from kinsym.check.solvers import Floats
 
 NOT_A_POSE = "not a pose"
 PARAMETER, REFERENCE, LIMIT, WEIGHT = "parameter", "reference", "limit", "weight"

@@ -7,10 +7,12 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from kinsym.check.c_solver import CSolver
 from kinsym.check.laws import SAME, Judge, malformed, outward
 from kinsym.check.ledger import Ledger
+from kinsym.check.numpy_solver import NumpySolver
 from kinsym.check.poses import wrapped
-from kinsym.check.solvers import CSolver, Floats, NumpySolver, Solutions, Solver
+from kinsym.check.solvers import Floats, Solutions, Solver
 
 NEAREST_LAW = "nearest returns the solution nearest to the reference"
 STATUS_LAW = "the status tells what was found"

@@ -10,10 +10,11 @@ from pathlib import Path
 
 import numpy as np
 
+from kinsym.check.c_solver import CSolver
 from kinsym.check.compiler import FLAGS, compile_shared
 from kinsym.check.laws import CLOSURE, FORWARD, Judge
 from kinsym.check.ledger import Ledger
-from kinsym.check.solvers import CSolver, Floats
+from kinsym.check.solvers import Floats
 from kinsym.check.task import closure
 from kinsym.emit.schedule import Schedule
 from kinsym.emit.source.cpp import shim

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from kinsym.check.exact_solver import ExactSolver
 from kinsym.check.ledger import Ledger
-from kinsym.check.solvers import ExactSolver, Floats
+from kinsym.check.solvers import Floats
 from kinsym.check.table import TableKinematics
 
 TABLE = "forward kinematics equal the table's product of transforms, with 50 digits"

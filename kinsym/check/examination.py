@@ -19,13 +19,16 @@ from numpy.typing import NDArray
 
 from kinsym.check.answers import Answers
 from kinsym.check.batch import hold_batch, hold_single, hold_sweep
+from kinsym.check.c_solver import CSolver
 from kinsym.check.control import hold_nearest, hold_status
 from kinsym.check.definition import hold_definition
 from kinsym.check.edges import Edges, edges, hold_edges, hold_same_edges, hold_same_rough
+from kinsym.check.exact_solver import ExactSolver
 from kinsym.check.interface import hold_interface, hold_same_marks
 from kinsym.check.laws import CLOSURE, FORWARD, PATH, Judge
 from kinsym.check.ledger import Ledger
 from kinsym.check.nominal import with_nominal_samples
+from kinsym.check.numpy_solver import NumpySolver
 from kinsym.check.poses import (
     KINDS,
     NOMINAL,
@@ -42,7 +45,7 @@ from kinsym.check.shapes import hold_shapes
 from kinsym.check.single import FINENESS, SinglePrecision, SingleSolver
 from kinsym.check.singular import volume_of
 from kinsym.check.singular_set import hold_singular_set
-from kinsym.check.solvers import CSolver, ExactSolver, Floats, NumpySolver, Solutions, Solver, TreeKinematics
+from kinsym.check.solvers import Floats, Solutions, Solver
 from kinsym.check.strange import (
     NOISE,
     TILTED_POSES,
@@ -55,6 +58,7 @@ from kinsym.check.strange import (
 )
 from kinsym.check.table import TableKinematics
 from kinsym.check.task import sifted, task_jacobian
+from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.check.vanishing import Special, hold_regular, hold_special, special_values
 from kinsym.emit.schedule import Schedule
 from kinsym.robot.model import Robot

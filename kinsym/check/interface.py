@@ -12,12 +12,15 @@ from typing import Any
 import numpy as np
 
 from kinsym.algebra.tree import Sym
+from kinsym.check.c_solver import CSolver
 from kinsym.check.calls import LIMIT, NOT_A_POSE, PARAMETER, REFERENCE, WEIGHT, Calls, Marked, Nearest, calls_of
 from kinsym.check.laws import malformed
 from kinsym.check.ledger import Ledger
+from kinsym.check.numpy_solver import NumpySolver
 from kinsym.check.poses import wrapped
 from kinsym.check.questions import Questions
-from kinsym.check.solvers import CSolver, Floats, NumpySolver, TreeKinematics, as_float
+from kinsym.check.solvers import Floats, as_float
+from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.check.windings import close, hold_windings, limits_of, table_limits
 
 MARK_LAW = "solve gives the solutions with their branches and marks"

@@ -13,9 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinsym.check.poses import wrapped
-from kinsym.check.solvers import Solutions, TreeKinematics
+from kinsym.check.solvers import Solutions
 from kinsym.check.task import closure
 from kinsym.check.tracing import Tracer
+from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.robot.model import Task
 
 Floats = NDArray[np.float64]

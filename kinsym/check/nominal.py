@@ -13,8 +13,9 @@ import numpy as np
 from kinsym.check.evaluate import compiled, floating
 from kinsym.check.poses import KINDS, NOMINAL, SINGULAR, Counts, Samples, held_samples, wrapped
 from kinsym.check.singular import volume_of
-from kinsym.check.solvers import Floats, TreeKinematics
+from kinsym.check.solvers import Floats
 from kinsym.check.task import task_jacobian
+from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.emit.schedule import NominalStarts
 
 

@@ -9,7 +9,8 @@ import numpy as np
 from kinsym.check.batch import SINGLE_LIMIT
 from kinsym.check.laws import SAME
 from kinsym.check.ledger import Ledger
-from kinsym.check.solvers import Floats, NumpySolver
+from kinsym.check.numpy_solver import NumpySolver
+from kinsym.check.solvers import Floats
 
 SHAPE_LAW = "one, many and a table of them have the same answers"
 #: The shape of the table, and so many joint vectors are asked for.

@@ -15,12 +15,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinsym.check.c_solver import CSolver
 from kinsym.check.interface import hold_interface
 from kinsym.check.laws import Judge, malformed, outward
 from kinsym.check.ledger import Ledger
 from kinsym.check.poses import Samples, wrapped
 from kinsym.check.questions import Fineness, Questions
-from kinsym.check.solvers import CSolver, Floats, Solutions
+from kinsym.check.solvers import Floats, Solutions
 from kinsym.check.strange import hold_refusals
 from kinsym.check.task import task_jacobian
 from kinsym.robot.model import Task

@@ -14,12 +14,14 @@ from typing import Any
 
 import numpy as np
 
+from kinsym.check.c_solver import CSolver
 from kinsym.check.compiler import FLAGS, compile_shared, compiler_version, find_compiler
 from kinsym.check.cpp import IKFAST, CppSolver, IkfastSolver, build_header, build_ikfast, find_cpp_compiler
 from kinsym.check.extension import build, headers, load_package
 from kinsym.check.ledger import Ledger
+from kinsym.check.numpy_solver import ExtensionSolver, NumpySolver
 from kinsym.check.single import SingleSolver
-from kinsym.check.solvers import CSolver, ExtensionSolver, NumpySolver, Solver
+from kinsym.check.solvers import Solver
 from kinsym.emit.schedule import Schedule
 from kinsym.errors import CheckFailed
 

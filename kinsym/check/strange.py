@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from kinsym.check.answers import Answers
+from kinsym.check.exact_solver import ExactSolver
 from kinsym.check.laws import CLOSURE, malformed, outward
 from kinsym.check.ledger import Ledger
-from kinsym.check.solvers import ExactSolver, Floats, NumpySolver, Solver
+from kinsym.check.numpy_solver import NumpySolver
+from kinsym.check.solvers import Floats, Solver
 from kinsym.robot.model import Task
 
 FAR_POSES = 12

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinsym.check.solvers import TreeKinematics
 from kinsym.check.task import closure, residual, task_jacobian
+from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.robot.model import Task
 
 Floats = NDArray[np.float64]

@@ -13,11 +13,14 @@ from itertools import pairwise
 
 import numpy as np
 
+from kinsym.check.c_solver import CSolver
 from kinsym.check.laws import CLOSURE, Judge
 from kinsym.check.ledger import Ledger
+from kinsym.check.numpy_solver import NumpySolver
 from kinsym.check.poses import uniform, wrapped
-from kinsym.check.solvers import CSolver, Floats, NumpySolver, TreeKinematics
+from kinsym.check.solvers import Floats
 from kinsym.check.task import task_jacobian
+from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.emit.schedule import Schedule
 
 Values = Mapping[str, Fraction]

@@ -12,11 +12,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from kinsym.check.c_solver import CSolver
 from kinsym.check.calls import Marked, Nearest, calls_of
 from kinsym.check.ledger import Ledger
+from kinsym.check.numpy_solver import NumpySolver
 from kinsym.check.poses import wrapped
 from kinsym.check.questions import Questions
-from kinsym.check.solvers import CSolver, Floats, NumpySolver, as_float
+from kinsym.check.solvers import Floats, as_float
 
 WITHIN_LAW = "within gives every winding inside the limits"
 INSIDE_LAW = "nearest is the best of them"

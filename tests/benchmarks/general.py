@@ -18,8 +18,8 @@ from types import ModuleType
 
 import numpy as np
 
+from kinsym.check.c_solver import CSolver
 from kinsym.check.compiler import FLAGS, compile_shared, find_compiler
-from kinsym.check.solvers import CSolver
 from kinsym.derivation import Derivation
 from kinsym.deriving import derive
 from kinsym.emit import TARGETS

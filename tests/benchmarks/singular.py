@@ -15,12 +15,13 @@ from pathlib import Path
 
 import numpy as np
 
+from kinsym.check.c_solver import CSolver
 from kinsym.check.compiler import compile_shared
 from kinsym.check.laws import CLOSURE, PATH, Judge
 from kinsym.check.poses import KINDS, UNIFORM, Counts, generator, samples
 from kinsym.check.singular import volume_of
-from kinsym.check.solvers import CSolver, TreeKinematics
 from kinsym.check.task import sifted, task_jacobian
+from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.emit import TARGETS
 from kinsym.emit.program import build_schedule
 from kinsym.emit.schedule import Schedule

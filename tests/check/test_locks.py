@@ -10,12 +10,12 @@ import pytest
 from kinsym.check.answers import FOUND_LAW, INVERSE_LAW
 from kinsym.check.batch import SWEEP_LAW
 from kinsym.check.compare import compare
+from kinsym.check.exact_solver import ExactSolver
 from kinsym.check.examination import Examination
 from kinsym.check.ledger import Ledger
 from kinsym.check.poses import Counts
 from kinsym.check.report import FAILED
 from kinsym.check.reporting import report_of
-from kinsym.check.solvers import ExactSolver
 from kinsym.check.walk import ExactWalk
 from kinsym.command.rendering import rendered
 from kinsym.emit.program import build_schedule

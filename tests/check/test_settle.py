@@ -11,15 +11,17 @@ from typing import Any
 import numpy as np
 import pytest
 
+from kinsym.check.c_solver import CSolver
 from kinsym.check.compiler import compile_shared
 from kinsym.check.evaluate import exact
+from kinsym.check.exact_solver import ExactSolver
 from kinsym.check.laws import CLOSURE, PATH, Judge
 from kinsym.check.marks import Mark
 from kinsym.check.poses import Counts, generator, samples
 from kinsym.check.settle import ALIKE, MOVED, Goal, Settler, Solution
 from kinsym.check.singular import volume_of
-from kinsym.check.solvers import CSolver, ExactSolver, TreeKinematics
 from kinsym.check.task import sifted, task_jacobian
+from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.check.walk import ExactWalk
 from kinsym.emit import TARGETS
 from kinsym.emit.program import build_schedule

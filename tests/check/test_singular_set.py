@@ -15,7 +15,7 @@ from kinsym.check.ledger import Ledger
 from kinsym.check.poses import draws, generator, lengths_of, uniform
 from kinsym.check.report import FAILED
 from kinsym.check.singular_set import DETERMINANT_LAW, ZERO_LAW, hold_singular_set
-from kinsym.check.solvers import TreeKinematics
+from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.emit.program import build_schedule
 from kinsym.emit.schedule import Schedule
 from tests.arms import NAMES, derivation, robot

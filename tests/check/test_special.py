@@ -15,8 +15,8 @@ from kinsym.check.edges import EDGE_AGREE_LAW, EDGE_LAW, INSIDE, OUTSIDE, ROUGH_
 from kinsym.check.laws import Judge
 from kinsym.check.report import FAILED
 from kinsym.check.shapes import SHAPE_LAW
-from kinsym.check.solvers import TreeKinematics
 from kinsym.check.strange import TILT_LAW
+from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.check.vanishing import REGULAR_LAW, VANISHING_LAW, special_values
 from kinsym.emit import TARGETS
 from kinsym.emit.program import build_schedule

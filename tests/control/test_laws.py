@@ -8,10 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from kinsym.check.c_solver import CSolver
 from kinsym.check.control import NEAREST_LAW, STATUS_AGREE_LAW, STATUS_LAW, hold_nearest, hold_status
 from kinsym.check.laws import Judge
 from kinsym.check.ledger import Ledger
-from kinsym.check.solvers import CSolver, NumpySolver, TreeKinematics
+from kinsym.check.numpy_solver import NumpySolver
+from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.emit.program import build_schedule
 from tests.arms import derivation, numpy_module
 from tests.emit.built import CLibrary, needs_compiler

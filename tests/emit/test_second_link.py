@@ -7,7 +7,8 @@ from functools import cache
 import numpy as np
 import pytest
 
-from kinsym.check.solvers import CSolver, ExactSolver
+from kinsym.check.c_solver import CSolver
+from kinsym.check.exact_solver import ExactSolver
 from kinsym.deriving import derive
 from kinsym.emit.program import build_schedule
 from kinsym.emit.schedule import Schedule

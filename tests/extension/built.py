@@ -16,7 +16,7 @@ import numpy as np
 
 from kinsym.check.compiler import find_compiler
 from kinsym.check.extension import build, headers, load_package
-from kinsym.check.solvers import NumpySolver
+from kinsym.check.numpy_solver import NumpySolver
 from kinsym.command.rendering import rendered
 from kinsym.derivation import Derivation
 from kinsym.deriving import derive

@@ -8,7 +8,8 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from kinsym.check.solvers import CSolver, ExactSolver
+from kinsym.check.c_solver import CSolver
+from kinsym.check.exact_solver import ExactSolver
 from kinsym.derivation import Derivation
 from kinsym.deriving import derive
 from kinsym.emit.latex import document

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from kinsym.check.evaluate import exact
+from kinsym.check.exact_solver import ExactSolver
 from kinsym.check.newton import STEPS, Newton
-from kinsym.check.solvers import ExactSolver
 from kinsym.emit.program import build_schedule
 from tests.general.arms import derived, joint_vectors, module, nearest
 

@@ -8,7 +8,7 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from kinsym.check.solvers import CSolver
+from kinsym.check.c_solver import CSolver
 from kinsym.deriving import derive
 from kinsym.emit.program import build_schedule
 from kinsym.emit.schedule import Schedule

@@ -9,8 +9,10 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
+from kinsym.check.c_solver import CSolver
 from kinsym.check.compiler import compile_shared
-from kinsym.check.solvers import CSolver, NumpySolver, Solver
+from kinsym.check.numpy_solver import NumpySolver
+from kinsym.check.solvers import Solver
 from kinsym.derivation import Derivation
 from kinsym.deriving import derive
 from kinsym.emit import TARGETS

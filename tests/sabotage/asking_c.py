@@ -10,8 +10,9 @@ from typing import Any
 
 import numpy as np
 
+from kinsym.check.c_solver import CSolver
 from kinsym.check.calls import CCalls
-from kinsym.check.solvers import CSolver, Floats
+from kinsym.check.solvers import Floats
 from kinsym.emit.schedule import Schedule
 from tests.sabotage.asking import controller, say
 from tests.sabotage.inputs import Inputs, broken_parameters

@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 
 from kinsym.check.calls import calls_of
-from kinsym.check.solvers import Floats, NumpySolver
+from kinsym.check.numpy_solver import NumpySolver
+from kinsym.check.solvers import Floats
 from kinsym.emit.schedule import Schedule
 from tests.sabotage.asking import controller, say
 from tests.sabotage.inputs import Inputs, broken_parameters, broken_vectors

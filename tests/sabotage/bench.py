@@ -14,12 +14,14 @@ from fractions import Fraction
 from pathlib import Path
 from types import ModuleType
 
+from kinsym.check.c_solver import CSolver
 from kinsym.check.compare import CHOICES, counts_of
 from kinsym.check.compiler import compile_shared
 from kinsym.check.examination import Examination
 from kinsym.check.ledger import Ledger
+from kinsym.check.numpy_solver import NumpySolver
 from kinsym.check.poses import draws, lengths_of
-from kinsym.check.solvers import CSolver, NumpySolver, Solutions, Solver
+from kinsym.check.solvers import Solutions, Solver
 from kinsym.check.sources import hold_module
 from kinsym.emit import TARGETS
 from kinsym.emit.schedule import Schedule

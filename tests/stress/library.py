@@ -10,8 +10,9 @@ from pathlib import Path
 
 import numpy as np
 
+from kinsym.check.c_solver import CSolver
 from kinsym.check.compiler import FLAGS, compile_shared
-from kinsym.check.solvers import CSolver, Floats, Solutions, as_float
+from kinsym.check.solvers import Floats, Solutions, as_float
 from kinsym.emit import TARGETS
 from kinsym.emit.schedule import Schedule
 

@@ -21,9 +21,10 @@ from kinsym.check.answers import CLOSE_PATH, MERGED
 from kinsym.check.borders import borders, moved
 from kinsym.check.laws import CLOSURE, PATH, SAME, Judge
 from kinsym.check.poses import draws, generator, lengths_of, wrapped
-from kinsym.check.solvers import Floats, TreeKinematics
+from kinsym.check.solvers import Floats
 from kinsym.check.task import sifted
 from kinsym.check.tracing import Tracer
+from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.derivation import Derivation
 from kinsym.emit.program import build_schedule
 from kinsym.emit.text.formula import TextPrinter

@@ -19,11 +19,14 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
+from kinsym.check.c_solver import CSolver
 from kinsym.check.compiler import compile_shared, find_compiler
 from kinsym.check.laws import CLOSURE, PATH, Judge
+from kinsym.check.numpy_solver import NumpySolver
 from kinsym.check.singular import volume_of, zeros
-from kinsym.check.solvers import CSolver, NumpySolver, Solver, TreeKinematics
+from kinsym.check.solvers import Solver
 from kinsym.check.task import closure, sifted, task_jacobian
+from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.derivation import Derivation
 from kinsym.deriving import derive
 from kinsym.emit import TARGETS
