@@ -28,8 +28,8 @@ def hold_batch(ledger: Ledger, target: CSolver, judge: Judge, *, poses: Floats, 
     take 0 in both, joints that are held their value in q. None is refused; what is no pose is, among others. How many
     poses have a solution is told as well.
     """
-    poses, every = np.concatenate([poses, strange]), q
-    q = np.concatenate([q, q[: len(strange)]])
+    every, q = q, q[np.arange(len(poses) + len(strange)) % len(q)]
+    poses = np.concatenate([poses, strange])
     reference = np.where(judge.kinematics.free, 0.0, q)
     single, count = target.inverse(poses, reference)
     batch, batch_count, reached = target.inverse_batch(poses, reference)

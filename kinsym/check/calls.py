@@ -231,15 +231,15 @@ class CCalls:
         if schedule.inputs or len(values) < len(schedule.parameters):
             return {}
         every = (self.given_with(values), None)
-        calls = {"ik_marked": self._one, "ik_batch": self._many}
+        calls = {"ik_near": self._one, "ik_batch": self._many}
         return {name: _alike(*(call(pose, q, given) for given in every)) for name, call in calls.items()}
 
     def _one(self, pose: Floats, q: Floats, given: Any) -> tuple[Any, ...]:
-        found, marks = np.zeros((self._most, self._n)), np.zeros((self._most, 3), dtype=np.uint32)
-        return self.call("ik_marked", pose, given, q, found, marks), found, marks
+        found = self._room(self._most)
+        return self.call("ik_near", pose, given, q, found), found
 
     def _many(self, pose: Floats, q: Floats, given: Any) -> tuple[Any, ...]:
-        found, counts = np.zeros((self._most, self._n)), np.zeros(1, dtype=np.intc)
+        found, counts = self._room(self._most), np.zeros(1, dtype=np.intc)
         return self.call("ik_batch", pose, 1, given, q, found, counts), found, counts
 
     def _marked(self, q: Floats, marks: Any, status: str | None) -> Marked:

@@ -182,6 +182,7 @@ def ik_batch(T, *, reference=None, l1=0.6, l2=0.4):
     f1, f2 = (l1 + l2) ** 2 - r2, r2 - (l1 - l2) ** 2
     t1, t2 = 2 * (l1 + l2) * t, 2 * abs(l1 - l2) * t + t * t
     reach = (f1 >= -t1) & (f2 >= -t2)
+    reach &= np.abs(T[..., 2, 3]) <= 1e-9 * (l1 + l2)
     border = (f1 <= t1) | (f2 <= t2)
     k = np.where(f1 <= t1, l2, np.where(f2 <= t2, -l2, (r2 - l1 * l1 - l2 * l2) / (2 * l1)))
     w = np.where(border, 0.0, np.sqrt(np.maximum(f1 * f2, 0.0)) / (2 * l1))

@@ -235,7 +235,7 @@ class Stress:
         different, (T, q) = asked.copy(), (T[asked], q[asked])
         reference = np.where(self.kinematics.free, 0.0, q)
         one, count = self.library.inverse(T, reference)
-        many, counts = self.library.inverse_batch(T, reference)
+        many, counts, _ = self.library.inverse_batch(T, reference)
         with np.errstate(invalid="ignore"):
             apart = np.abs(wrapped(many - one, self.postures.revolute)).max(axis=-1)
         there = np.arange(one.shape[1]) < count[:, None]

@@ -40,6 +40,8 @@ def main() -> None:
             results.append(result)
             print(f"\r{len(results)} of {len(jobs)} arms", end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)
+    if len(results) < len(jobs):
+        sys.exit(f"the run ended after {len(results)} of {len(jobs)} arms: nothing is written")
     lines = document(results, " ".join(["python -m tests.benchmarks.coverage", *_shown(options)]))
     text = "\n".join(lines) + "\n"
     print(text, end="")
