@@ -85,7 +85,7 @@ def _second_link(step: Step) -> str | None:
     if not isinstance(link, Sym):
         return None
     value = next((item.value for item in step.coefficients if item.name == link.name), link)
-    return next(symbols(value)) if isinstance(value, Call) else link.name
+    return next(symbols(value), None) if isinstance(value, Call) else link.name
 
 
 class _Levels:
