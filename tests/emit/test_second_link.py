@@ -10,8 +10,9 @@ import pytest
 from kinsym.check.c_solver import CSolver
 from kinsym.check.exact_solver import ExactSolver
 from kinsym.deriving import derive
+from kinsym.emit import TARGETS
 from kinsym.emit.program import build_schedule
-from kinsym.emit.schedule import Schedule
+from kinsym.emit.schedule import Schedule, Solve
 from kinsym.robot import from_inline
 from tests.emit.built import CLibrary, needs_compiler
 from tests.general.arms import run
@@ -58,3 +59,14 @@ def test_it_is_reached_in_c(name: str) -> None:
     arm, q = run(schedule(name)), joint_vectors(name)
     _, count = CSolver(CLibrary(schedule(name)).library, schedule(name), {}).inverse(arm.fk(q), q)
     assert (count > 0).all()
+
+
+def test_links_of_constant_length_stay_as_they_are() -> None:
+    numbers = (
+        "0 0.317 0.588 theta1; 0 -0.451 0.52 theta2; 0 0.513 d3 pi/2; "
+        "-pi/4 0 0.152 theta4; -pi/4 0 0 theta5; 0 0.426 0.122 theta6"
+    )
+    arm = build_schedule(derive(from_inline(numbers, convention="paul", name="numbers")))
+    assert any(isinstance(item, Solve) and item.step.rule == "triangle" for item in arm.inverse)
+    assert "1e-30" not in "".join(TARGETS["c"](arm).values())
+    assert "1e-30" in "".join(TARGETS["c"](schedule("crossed")).values())
