@@ -66,7 +66,7 @@ def test_links_of_constant_length_stay_as_they_are() -> None:
         "0 0.317 0.588 theta1; 0 -0.451 0.52 theta2; 0 0.513 d3 pi/2; "
         "-pi/4 0 0.152 theta4; -pi/4 0 0 theta5; 0 0.426 0.122 theta6"
     )
-    arm = build_schedule(derive(from_inline(numbers, convention="paul", name="numbers")))
+    arm = build_schedule(derive(from_inline(numbers, convention="paul", name="bent")))
     assert any(isinstance(item, Solve) and item.step.rule == "triangle" for item in arm.inverse)
     assert "1e-30" not in "".join(TARGETS["c"](arm).values())
     assert "1e-30" in "".join(TARGETS["c"](schedule("crossed")).values())
