@@ -94,3 +94,9 @@ def nearest(module: ModuleType, solutions: np.ndarray, q: np.ndarray) -> np.ndar
     gap = solutions - q[:, None]
     gap = np.where(sliding, gap, gap - 2 * np.pi * np.round(gap / (2 * np.pi)))
     return np.nanmin(np.where(np.isnan(gap).any(-1), np.inf, np.abs(gap).max(-1)), axis=1)
+
+
+def misses(module: ModuleType, poses: np.ndarray, solutions: np.ndarray, valid: np.ndarray) -> np.ndarray:
+    """How far each of the solutions (N, S, n) that are valid misses its pose (N, 4, 4), entry by entry (K, 4, 4)."""
+    reached = module.fk(np.where(valid[..., None], solutions, 0.0))
+    return np.abs(reached - poses[:, None])[valid]

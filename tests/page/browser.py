@@ -137,11 +137,6 @@ class Browser:
         """The addresses that were asked for since the page was opened."""
         return [e["params"]["request"]["url"] for e in self.events if e["method"] == "Network.requestWillBeSent"]
 
-    def screenshot(self, file: Path, *, whole: bool = False) -> None:
-        """Write a picture of the window, or of the whole page."""
-        answer = self._send("Page.captureScreenshot", format="png", captureBeyondViewport=whole)
-        file.write_bytes(base64.b64decode(answer["data"]))
-
     def pdf(self, file: Path) -> None:
         """Print the page."""
         answer = self._send("Page.printToPDF", paperWidth=8.27, paperHeight=11.69)
