@@ -1,4 +1,4 @@
-"""Poses that a whole curve of joint vectors reaches, where the determinant vanishes at every angle, and those beside."""
+"""Poses that a whole curve of joint vectors reaches, where the determinant vanishes at every angle; others beside."""
 
 from __future__ import annotations
 
