@@ -140,7 +140,11 @@ class Elimination:
 
     def angles(self) -> list[Value]:
         """The suppressed angles at which the determinant vanishes, or nearly does."""
-        return circle_roots(self.ctx, lambda c, s: determinant(self.ctx, self._matrix(s, c)), DEGREE)
+        return circle_roots(self.ctx, self.closing, DEGREE)
+
+    def closing(self, c: Value, s: Value) -> Value:
+        """The determinant at a suppressed angle with this cosine and sine."""
+        return determinant(self.ctx, self._matrix(s, c))
 
     def _pairs(self, first: Vector, second: Vector, alone: bool) -> Iterator[tuple[Value, Value]]:
         """Values of x and y from the null vectors (X^3 W, X^2 W, X W, W) of one root."""

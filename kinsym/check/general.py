@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from kinsym.check.descent import descended
 from kinsym.check.elimination import Elimination, Joint, Motion, inverted, product
 from kinsym.check.evaluate import Arithmetic, Program
 from kinsym.check.linear import Matrix, Value, Vector
@@ -17,6 +18,8 @@ NEARLY_STILL = 1e-3
 """How far from 0 the joint that completes five may stand before the others are polished without it."""
 MET = 1e-9
 """How far off the pose they may then be, lengths in units of the arm's."""
+VANISHED = 1e-25
+"""A determinant that is smaller at every angle is zero but for the rounding of the pose."""
 
 
 class GeneralOracle:
@@ -53,6 +56,8 @@ class GeneralOracle:
         found, certain = self._found(cuts[-1], wanted, rows, length, [])
         if not certain:
             found, _ = self._found(cuts[0], self._beside(wanted, length), rows, length, found)
+        if not found and self._silent(cuts[-1], wanted, length):
+            found = descended(self._newton, rows, length)
         if self.plan.gate:
             still = [q[:5] for q in found if abs(q[5]) < NEARLY_STILL]
             found = self._polished(self._own, still, rows, length, [])
@@ -82,21 +87,29 @@ class GeneralOracle:
     ) -> tuple[list[Vector], bool]:
         """The solutions that one cut finds from a pose, with those found before, and whether there can be no more."""
         ctx = self.ctx
-        links = [(turn, [t / length for t in shift]) for turn, shift in (*self._links[:5], self._closing(posed))]
-        joints = [Joint(kind, sign) for kind, sign in zip(self.plan.kinds, self.plan.signs, strict=True)]
-        loop = (SlidingLoop if self.plan.suppressed else Elimination)(ctx, cut, joints, links)
+        loop = self._loop(cut, posed, length)
         angles = loop.angles()
         starts: list[Vector] = []
         for values in loop.candidates(angles):
             q = [ctx.zero] * 6
             for number, value in zip(cut.order, values, strict=True):
-                q[number - 1] = value * length if joints[number - 1].kind == "P" else value
+                q[number - 1] = value * length if self.plan.kinds[number - 1] == "P" else value
             starts.append(q[: len(self._newton.kinds)])
         found = self._polished(self._newton, starts, rows, length, before)
         alone = sorted(q[cut.suppressed - 1] for q in found)
         shared = 3 if cut.bordered else 2
         crowded = any(high - low < CROWDED for low, high in zip(alone, alone[shared - 1 :], strict=False))
         return found, len(angles) == len(found) and not crowded
+
+    def _loop(self, cut: Cut, posed: Motion, length: Value) -> Elimination | SlidingLoop:
+        links = [(turn, [t / length for t in shift]) for turn, shift in (*self._links[:5], self._closing(posed))]
+        joints = [Joint(kind, sign) for kind, sign in zip(self.plan.kinds, self.plan.signs, strict=True)]
+        return (SlidingLoop if self.plan.suppressed else Elimination)(self.ctx, cut, joints, links)
+
+    def _silent(self, cut: Cut, posed: Motion, length: Value) -> bool:
+        """Whether a cut tells nothing of a pose, since its determinant vanishes at every angle."""
+        ctx, loop = self.ctx, self._loop(cut, posed, length)
+        return all(abs(loop.closing(ctx.cos(angle), ctx.sin(angle))) < VANISHED for angle in range(3))
 
     @staticmethod
     def _polished(

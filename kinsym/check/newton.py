@@ -43,7 +43,7 @@ class Newton:
         best, closest, moved = q, self.ctx.inf, self.ctx.inf
         for step in range(STEPS):
             reached = self.forward(q)
-            off = self._off(reached, rows, length)
+            off = self.off(reached, rows, length)
             if off < closest:
                 best, closest = q, off
             if off < EXACT or moved < STILL or (off > 0.1 and step >= 4) or (off > 1e-3 and step >= 7):
@@ -53,7 +53,7 @@ class Newton:
             return None
         return [self._wrapped(value) if kind == "R" else value for value, kind in zip(best, self.kinds, strict=True)]
 
-    def _off(self, reached: Matrix, rows: Matrix, length: Value) -> Value:
+    def off(self, reached: Matrix, rows: Matrix, length: Value) -> Value:
         """The largest difference of the entries that count, lengths in units of the arm's."""
         return max(
             abs(a - b) / (length if j == 3 else 1)
@@ -67,6 +67,10 @@ class Newton:
 
         Motions that the pose does not feel are left alone.
         """
+        return self.advanced(q, _least(self.ctx, *self.linearised(q, reached, rows, length)), length)
+
+    def linearised(self, q: Vector, reached: Matrix, rows: Matrix, length: Value) -> tuple[Matrix, Vector]:
+        """The Jacobian and the twist that is missing of the pose, lengths in units of the arm's."""
         ctx = self.ctx
         units = [unit for _, unit in self.in_units(q, length)]
         slope = [[entry * unit for entry, unit in zip(row, units, strict=True)] for row in self.jacobian(q)]
@@ -82,9 +86,13 @@ class Newton:
         else:
             turns = [_cross([row[j] for row in reached], [row[j] for row in rows]) for j in range(3)]
             error += [ctx.fsum(parts) / 2 for parts in zip(*turns, strict=True)]
-        step = _least(ctx, slope, error)
-        size = ctx.norm(step)
+        return slope, error
+
+    def advanced(self, q: Vector, step: Vector, length: Value) -> tuple[Vector, Value]:
+        """The joints after a step that is given in units of the arm's, half a radian of it at most, and its length."""
+        size = self.ctx.norm(step)
         share = min(1, LONGEST_STEP / size) if size else 1
+        units = [unit for _, unit in self.in_units(q, length)]
         return [value + share * move * unit for value, move, unit in zip(q, step, units, strict=True)], share * size
 
     def in_units(self, q: Vector, length: Value) -> list[tuple[Value, Value]]:
@@ -103,8 +111,8 @@ class Newton:
         if widest < REPEATED or widest > CROWDED:
             return bool(widest < REPEATED)
         halfway = [b + gap / 2 for b, gap in zip(right, gaps, strict=True)]
-        worst = max(self._off(self.forward(q), rows, length) for q in (left, right))
-        return bool(self._off(self.forward(halfway), rows, length) < max(HALFWAY, 4 * worst))
+        worst = max(self.off(self.forward(q), rows, length) for q in (left, right))
+        return bool(self.off(self.forward(halfway), rows, length) < max(HALFWAY, 4 * worst))
 
 
 def _least(ctx: Any, rows: Matrix, right: Vector) -> Vector:

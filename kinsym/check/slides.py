@@ -41,12 +41,12 @@ class SlidingLoop:
 
     def angles(self) -> list[Value]:
         """The suppressed angles at which the loop closes, or nearly does."""
+        return circle_roots(self.ctx, self.closing, DEGREE)
 
-        def closing(c: Value, s: Value) -> Value:
-            plus, minus = (self._posture(c, s, root) for root in (1, -1))
-            return self.ctx.re(plus.rho * _volume(plus) * _volume(minus))
-
-        return circle_roots(self.ctx, closing, DEGREE)
+    def closing(self, c: Value, s: Value) -> Value:
+        """What vanishes where the loop closes, at a suppressed angle with this cosine and sine."""
+        plus, minus = (self._posture(c, s, root) for root in (1, -1))
+        return self.ctx.re(plus.rho * _volume(plus) * _volume(minus))
 
     def candidates(self, angles: list[Value]) -> Iterator[Vector]:
         """Joint values N0 .. N5 near every solution, and near some that are none."""

@@ -78,7 +78,7 @@ def _scores(schedule: Schedule, deadline: Deadline) -> Callable[[int, int, int],
             drawn[draw] = _poses(module, parameters, count, SEED + 1 + draw)
         wanted, length = drawn[draw]
         with np.errstate(all="ignore"):
-            pose, q, _ = module._starts(module._CUTS[number], length, wanted, parameters)
+            pose, q, *_ = module._starts(module._CUTS[number], length, wanted, parameters)
             before = module._distance(module._reached(q, parameters), wanted[pose], length[pose])
             q, after = module._polished(q, wanted[pose], length[pose], parameters)
             good = after < module._ACCEPTED

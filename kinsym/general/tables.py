@@ -26,6 +26,12 @@ BORDER_COLUMN = (0.53, -0.41, 0.67, 0.38, -0.59, 0.44, -0.36, 0.62, 0.49, -0.55,
 BORDER_ROW = (0.47, -0.61, 0.35, 0.58, -0.39, 0.66)
 """Generic constants of the bordered determinant: the column beside M, the row below its columns X^2 W, X W."""
 
+STRIDES = (0.414214, 0.732051, 0.236068, 0.645751, 0.316625, 0.605551)
+"""Fractions of the square roots of 2, 3, 5, 7, 11, 13: their multiples fill a unit cube evenly (Richtmyer 1951)."""
+
+STARTS, DESCENT = 32, 60
+"""From how many points of the cube solutions are looked for where no determinant helps, and passes from each."""
+
 Table = tuple[tuple[float, ...], ...]
 
 

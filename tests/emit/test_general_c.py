@@ -320,7 +320,7 @@ def test_the_stack_stays_small(tmp_path: Path) -> None:
     used = {line.split(":")[-1].split("\t")[0]: int(line.split("\t")[1]) for line in lines}
     del used["mirrored_fk_batch"]  # no solver is called there
     # More than the deepest chain of calls; sample_anew calls itself twice at most, and nothing else does.
-    assert sum(used.values()) + 2 * used.get("sample_anew", 0) < 26000
+    assert sum(used.values()) + 2 * used.get("sample_anew", 0) < 27000
 
 
 def test_nothing_is_kept_between_calls() -> None:

@@ -19,7 +19,7 @@ _BEFORE = ("links", "motion", "arm", "loop")
 _LOOP = ("states", "equations", "determinant")
 _BACK = ("kernel", "substitute")
 _ROOTS = ("isolate", "resample", "circle")
-_AFTER = ("polish", "collect", "eliminate")
+_AFTER = ("polish", "collect", "descend", "eliminate")
 
 
 def parts(kinds: str, gate: bool = False) -> tuple[str, ...]:
@@ -78,6 +78,9 @@ def _tables() -> dict[str, Any]:
         "binomial_local": _lines(float(comb(tables.LOCAL, k)) for k in range(tables.LOCAL + 1)),
         "chebyshev": _lines(tables.chebyshev_points()),
         "to_local": [line for row in tables.local_table() for line in _lines(row)],
+        "strides": _lines(tables.STRIDES),
+        "starts": str(tables.STARTS),
+        "descent": str(tables.DESCENT),
         "start": repr(tables.OFFSET),
         "start_cos": repr(start[0]),
         "start_sin": repr(start[1]),

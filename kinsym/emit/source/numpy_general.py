@@ -12,12 +12,23 @@ from kinsym.emit.source.needs import InverseNeeds, held_needs
 from kinsym.emit.source.python_text import code, head, names_tuple
 from kinsym.emit.source.wrapping import WIDTH, cut
 from kinsym.general.plan import Cut, GeneralPlan
-from kinsym.general.tables import BORDER_COLUMN, BORDER_ROW, CHART, OFFSET, arc_table, chebyshev_points, local_table
+from kinsym.general.tables import (
+    BORDER_COLUMN,
+    BORDER_ROW,
+    CHART,
+    DESCENT,
+    OFFSET,
+    STARTS,
+    STRIDES,
+    arc_table,
+    chebyshev_points,
+    local_table,
+)
 
 #: The parts of the general solver: what opens the loop and follows from a root, what finds roots and polishes.
 _LOOP = ("loop", "matrix", "substitution")
 _SLIDES = ("slides",)
-_SEARCH = ("roots", "isolation", "pivoting", "newton")
+_SEARCH = ("roots", "isolation", "pivoting", "newton", "descent")
 _STILL = ("still",)
 
 
@@ -62,6 +73,9 @@ def general_names(schedule: Schedule, plan: GeneralPlan, inverse: InverseNeeds, 
             f"dict({', '.join(f'{name}={name}' for name in every)})",
             *(f"{name}={name}" for name in schedule.inputs),
         ],
+        "strides": list(STRIDES),
+        "starts": STARTS,
+        "descent": DESCENT,
         "offset": OFFSET,
         "chart": CHART,
         "border_column": list(BORDER_COLUMN),

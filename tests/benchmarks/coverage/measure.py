@@ -126,7 +126,7 @@ def solver(schedule: Schedule, values: dict[str, Fraction], folder: Path) -> Sol
     for name, text in TARGETS[language](schedule).items():
         (folder / name).write_text(text, encoding="utf-8", newline="\n")
     if language == "numpy":
-        return NumpySolver(NumpySolver.load(folder / f"{schedule.name}.py"), values)
+        return NumpySolver(NumpySolver.load(folder / f"{schedule.name}.py"), schedule, values)
     return CSolver(ctypes.CDLL(str(compile_shared(folder, schedule.name, folder))), schedule, values)
 
 
