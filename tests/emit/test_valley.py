@@ -1,7 +1,7 @@
 """Marked roots from which the pose is reached only along a curve on which it hardly changes.
 
-At these poses two borders cross: the root that a border merged leaves the next angle a quarter turn or half a radian from
-where it belongs, while the distance to the pose changes by 1e-8 and less on the way.
+At these poses two borders cross: the root that a border merged leaves the next angle up to half a radian from where it
+belongs, while the distance to the pose changes by 1e-8 and less on the way.
 """
 
 from __future__ import annotations
