@@ -123,7 +123,8 @@ class Settler:
     def _polished(self, start: Vector, goal: Goal) -> tuple[Vector, Value]:
         """The vector that the pose is reached from, from ``start`` or beside it, with the distance that is left.
 
-        Where two borders cross the distance is stationary, and only a start beside it gets away.
+        Where two borders cross the distance is stationary, and only a start beside it gets away. A slide that was
+        divided by next to nothing is far off; in the last start no slide is longer than the arm.
         """
         ctx = self._ctx
         best, least = self._polish(start, goal)
@@ -135,7 +136,19 @@ class Settler:
             q, left = self._polish(self._moved(start, away, goal), goal)
             if left < least:
                 best, least = q, left
+        inside = self._drawn_in(start, goal)
+        if least > goal.reach and inside != start:
+            q, left = self._polish(inside, goal)
+            if left < least:
+                best, least = q, left
         return best, least
+
+    def _drawn_in(self, q: Vector, goal: Goal) -> Vector:
+        """``q`` with the slides no longer than the arm, locked ones as they are."""
+        return [
+            min(max(value, -goal.size), goal.size) if slides and moves else value
+            for value, slides, moves in zip(q, self._slides, self._moves, strict=True)
+        ]
 
     def _polish(self, q: Vector, goal: Goal) -> tuple[Vector, Value]:
         """Least squares from one start: the vector and its distance."""

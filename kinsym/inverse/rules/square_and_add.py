@@ -8,6 +8,7 @@ theta2, y is theta3, X = (r - k3)/(2 a1) with r the squared distance of the wris
 
 Where the wrist lies on axis 2 both vectors vanish, and the equation in y is known from their lengths alone. Where it
 lies on axis 1 the same holds for the elimination of theta1, which gives the same equation in y: the kernel gets both.
+Without another elimination the second statement is that of :mod:`kinsym.inverse.rules.complement`, if there is one.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from kinsym.algebra.tree import ONE, Definition, Pow, Quot, Sym, Tree, add, mul,
 from kinsym.inverse.plan import Step
 from kinsym.inverse.pool import PoolEquation
 from kinsym.inverse.rules.base import Candidate, Names, Outcome, View, angle_value, divided, edge, shown
+from kinsym.inverse.rules.complement import complement
 from kinsym.inverse.rules.squares import Terms, difference, error_of, quartic_inputs, total, turn_step
 from kinsym.inverse.rules.turned_pair import (
     Eliminant,
@@ -35,7 +37,6 @@ from kinsym.inverse.rules.turned_pair import (
     turned_form,
     turned_pair,
 )
-from kinsym.inverse.state import State
 from kinsym.kinematics.angles import Angle
 
 TITLES = {"quartic": "square and add, then the half-angle polynomial of degree four"}
@@ -71,12 +72,14 @@ def candidates(view: View) -> Iterator[Candidate]:
             and second.other == pair.other
             and proportional(eliminant, same)
         ]
-        again = min(others, key=lambda second: second.terms, default=pair)
+        again = min(others, key=lambda second: second.terms, default=None)
         cost = COST if own_vector(state.chain.ring, pair) else OTHER_COST
-        yield Candidate(cost, pair.terms, other.name, partial(_build, state, other, pair, again))
+        yield Candidate(cost, pair.terms, other.name, partial(_build, view, other, pair, again))
 
 
-def _build(state: State, other: Angle, pair: Pair, again: Pair, names: Names) -> Outcome:
+def _build(view: View, other: Angle, pair: Pair, again: Pair | None, names: Names) -> Outcome:
+    state, rest = view.state, None if again else complement(view, pair)
+    again = again or rest or pair
     definitions: list[Definition] = []
 
     named: dict[Tree, Tree] = {}
@@ -107,7 +110,9 @@ def _build(state: State, other: Angle, pair: Pair, again: Pair, names: Names) ->
     twice = (
         "; stated twice, as each keeps its digits where the vectors of the other vanish" if again is not pair else ""
     )
-    inputs = {**quartic_inputs(vectors, error, ""), **quartic_inputs(second, error_of(state, again), "2")}
+    # The rest of a unit vector keeps more digits than the vector everywhere, so that it comes first.
+    first, last = ("2", "") if rest else ("", "2")
+    inputs = {**quartic_inputs(vectors, error, first), **quartic_inputs(second, error_of(state, again), last)}
     step = Step(
         number=names.step(),
         unknown=other.name,

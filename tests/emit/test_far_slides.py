@@ -1,0 +1,85 @@
+"""Slides that are divided by next to nothing: two are nearly parallel, and the angle before has lost its digits."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+
+from kinsym.check.c_solver import CSolver
+from kinsym.check.evaluate import exact
+from kinsym.check.marks import Mark
+from kinsym.check.settle import Goal, Settler, Solution
+from kinsym.check.walk import ExactWalk
+from kinsym.deriving import derive
+from kinsym.emit.program import build_schedule
+from kinsym.emit.schedule import Schedule
+from kinsym.robot import from_inline
+from tests.emit.built import CLibrary, needs_compiler
+from tests.general.arms import run
+
+#: A made-up arm in Paul's convention: with theta3 = 0 slides 1 and 5 are parallel, axes 2 and 4 as well.
+ARM = "0 0.562 d1 0; pi/2 0 0 theta2; -pi/2 0 0.555 theta3; 0 0 0.237 theta4; pi/2 0 d5 pi/2; 0 -0.442 d6 pi/2"
+
+
+@cache
+def schedule() -> Schedule:
+    """The schedule of the arm."""
+    return build_schedule(derive(from_inline(ARM, convention="paul", name="slides")))
+
+
+def joint_vectors() -> np.ndarray:
+    """Vectors with theta3 = 0, and ever farther beside."""
+    rng = np.random.Generator(np.random.PCG64(7))
+    q = rng.uniform(-1.5, 1.5, (140, 6))
+    q[:, 2] = np.tile([0.0, *10.0 ** -np.arange(3.0, 16.0)], 10) * rng.uniform(1.0, 3.0, 140)
+    return q
+
+
+def poses(q: np.ndarray) -> np.ndarray:
+    """Their poses (N, 4, 4), entries near zero as little known as the others."""
+    return np.asarray(np.round(run(schedule()).fk(q) * 2.0**53) / 2.0**53)
+
+
+def closures(q: np.ndarray, solutions: np.ndarray) -> np.ndarray:
+    """How far the solutions (N, S, 6) are from the poses of q (N, 6), (N, S); NaN where there is none."""
+    arm = run(schedule())
+    gap = arm.fk(np.nan_to_num(solutions)) - arm.fk(q)[:, None]
+    return np.where(np.isnan(solutions[..., 0]), np.nan, np.abs(gap).max(axis=(-1, -2)))
+
+
+def test_every_pose_is_reached() -> None:
+    q = joint_vectors()
+    off = closures(q, run(schedule()).ik_batch(poses(q), reference=q)[0])
+    assert np.nanmin(off, axis=1).max() < 1e-9
+
+
+@needs_compiler
+def test_every_pose_is_reached_in_c() -> None:
+    q = joint_vectors()
+    solutions, _ = CSolver(CLibrary(schedule()).library, schedule(), {}).inverse(poses(q), q)
+    assert np.nanmin(closures(q, solutions), axis=1).max() < 1e-9
+
+
+def test_a_vector_with_far_slides_is_settled_with_fifty_digits() -> None:
+    ctx, numbers = exact()
+    walk, arm = ExactWalk(schedule(), {}), schedule()
+    settler = Settler(
+        ctx,
+        joints=arm.joints,
+        task=arm.task,
+        forward=walk.forward,
+        jacobian=walk.jacobian,
+        wrap=numbers.functions["wrap"],
+    )
+    target = [ctx.mpf(value) for value in ("0.05", "0.66", "1e-13", "1.8", "0.6", "-1.2")]
+    far = [value + change for value, change in zip(target, (10**11, 0.001, 0, -0.001, -(10**11), 0.5), strict=True)]
+    goal = Goal(walk.forward(target), walk.size, 4 * ctx.mpf(2) ** -46)
+    (found,) = settler.settle(Solution(0, far), 0, Mark.SOFT, goal)
+    assert max(abs(value) for value in found.q) < 100
+    gap = [
+        a - b
+        for left, right in zip(walk.forward(found.q), goal.rows, strict=True)
+        for a, b in zip(left, right, strict=True)
+    ]
+    assert max(map(abs, gap)) < 1e-12
