@@ -39,6 +39,8 @@ LEAST_DAMPING = 1e-20
 #: The least damping of steps that lead back onto the curve along which the pose hardly feels a motion, and how many.
 STEADY = 1e-7
 BACK = 4
+#: Slides that are drawn out so far, in sizes of the arm, leave doubles no digits for the rest: nothing is reached there.
+FAR = 1e9
 #: So many passes in a row that gain less than this share of the distance have met a least one that is not zero. Few
 #: are too few: where the Jacobian nearly loses rank the damping falls from pass to pass before anything is gained.
 IDLE = 10
@@ -126,7 +128,9 @@ class Settler:
         Where two borders cross the distance is stationary, and only a start beside it gets away. A slide that was
         divided by next to nothing is far off; in the last start no slide is longer than the arm.
         """
-        ctx = self._ctx
+        ctx, inside = self._ctx, self._drawn_in(start, goal)
+        if any(abs(a - b) > FAR * goal.size for a, b in zip(start, inside, strict=True)):
+            return self._polish(inside, goal)
         best, least = self._polish(start, goal)
         for trial in range(1, STARTS):
             if least <= goal.reach:
@@ -136,7 +140,6 @@ class Settler:
             q, left = self._polish(self._moved(start, away, goal), goal)
             if left < least:
                 best, least = q, left
-        inside = self._drawn_in(start, goal)
         if least > goal.reach and inside != start:
             q, left = self._polish(inside, goal)
             if left < least:
