@@ -2016,22 +2016,24 @@ KINSYM_FN static int connected(const arm *a, const double x[6], const double gap
     return off < enough && moved < 0.3 * width;
 }
 
-/* Keeps a solution that is new; returns whether it was. Of two that are one the nearer is kept. */
+/* Keeps a solution that is new; returns whether it was. Of those that are one the nearest is kept. */
 KINSYM_FN static int keep(const arm *a, solutions *all, const double x[6], double off)
 {
-    int at = all->count;
-    for (int i = 0; i < all->count && at == all->count; ++i) {
+    int same[MOST] = {0}, at = all->count;
+    for (int i = all->count - 1; i >= 0; --i) {
         double gap[6], largest = 0.0;
         for (int k = 0; k < 6; ++k) {
             gap[k] = difference(sliding[k], x[k], all->q[i][k]);
             largest = fmax(largest, fabs(gap[k]));
         }
-        if (largest < 1e-6 || (largest < 1e-3 && connected(a, x, gap, fmax(off, all->off[i])))) {
-            at = i;
+        same[i] = largest < 1e-6 || (largest < 1e-3 && connected(a, x, gap, fmax(off, all->off[i])));
+        if (same[i] && off >= all->off[i]) {
+            return 0;
         }
+        at = same[i] ? i : at;
     }
     const int is_new = at == all->count;
-    if (at == MOST || (!is_new && off >= all->off[at])) {
+    if (at == MOST) {
         return 0;
     }
     for (int k = 0; k < 6; ++k) {
@@ -2039,6 +2041,15 @@ KINSYM_FN static int keep(const arm *a, solutions *all, const double x[6], doubl
     }
     all->off[at] = off;
     all->count += is_new;
+    for (int i = all->count - 1; i > at; --i) {
+        if (same[i]) {
+            all->count -= 1;
+            for (int k = 0; k < 6; ++k) {
+                all->q[i][k] = all->q[all->count][k];
+            }
+            all->off[i] = all->off[all->count];
+        }
+    }
     return is_new;
 }
 
