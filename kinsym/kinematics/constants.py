@@ -1,6 +1,6 @@
 """The constants of a table as generators of the ring.
 
-Cells hold lengths and angles. A length becomes a polynomial in the parameters; what is no polynomial (sqrt(2), 1/b)
+Cells hold lengths and angles. A length becomes a polynomial in the parameters; what is no polynomial (sqrt(2), pi)
 becomes a named constant. An angle that is a multiple of pi/2 is exact; any other twist or offset gets a cosine and a
 sine of its own, as Pieper's equations in the lecture need (c alpha1, s alpha1).
 """
@@ -202,7 +202,7 @@ def split_angle(cell: Expr) -> tuple[Expr, int, int]:
 
 
 def _canonical(generic: Expr, quarters: int) -> tuple[Expr, int, int]:
-    if generic != 0 and generic.could_extract_minus_sign():
+    if generic.could_extract_minus_sign():
         return -generic, -1, quarters
     return generic, 1, quarters
 

@@ -68,6 +68,9 @@ HALF = Num(Fraction(1, 2))
         (mul(Num(Fraction(-1)), A), "-a"),
         (mul(Num(Fraction(-2)), add(A, B)), "-2*(a + b)"),
         (negated(HALF), "-1/2"),
+        (negated(A), "-a"),
+        (negated(mul(A, B)), "-a*b"),
+        (negated(mul(HALF, A)), "-a/2"),
         (negated(mul(Num(Fraction(-1)), A, B)), "a*b"),
         (negated(mul(Num(Fraction(-2)), A)), "2*a"),
         (negated(add(A, negated(B))), "-a + b"),
@@ -79,6 +82,20 @@ HALF = Num(Fraction(1, 2))
 )
 def test_what_is_built_is_short(tree: Tree, text: str) -> None:
     assert WRITE(tree) == text
+    assert plain(tree)
+
+
+def plain(tree: Tree) -> bool:
+    """Whether sums and products have two parts or more, none of their own kind and no number that does nothing."""
+    match tree:
+        case Sum(terms):
+            numbers = [term for term in terms if isinstance(term, Num)]
+            good = len(terms) > 1 and len(numbers) < 2 and ZERO not in terms
+        case Prod(factors):
+            good = len(factors) > 1 and ONE not in factors and not any(isinstance(f, Num) for f in factors[1:])
+        case _:
+            return True
+    return good and all(type(part) is not type(tree) and plain(part) for part in children(tree))
 
 
 @pytest.mark.parametrize(

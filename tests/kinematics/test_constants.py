@@ -1,4 +1,4 @@
-"""What the cells of a table become in the ring, against SymPy's own value of them, and their points modulo the prime."""
+"""What the cells of a table become in the ring, against SymPy's own values, and their points modulo the prime."""
 
 from __future__ import annotations
 
@@ -126,6 +126,39 @@ def test_constants_of_lengths_are_counted_and_equal_ones_shared() -> None:
     assert list(constants.angles.values()) == ["angle1", "angle2"]
     squares = {generator.name: generator.square for generator in constants.generators()}
     assert [squares[name] for name in ("const1", "const2", "const3")] == [2, 3, None]
+
+
+def test_formulas_are_written_as_in_the_table() -> None:
+    """SymPy would write the cosine of pi/5 with roots."""
+    constants = Constants([])
+    constants.note_angle(parse("pi/5"), "alpha1")
+    constants.note_length(parse("sqrt(2)"))
+    texts = [(name, str(formula)) for name, formula in constants.formulas()]
+    assert texts == [("calpha1", "cos(pi/5)"), ("salpha1", "sin(pi/5)"), ("const1", "sqrt(2)")]
+
+
+def test_what_is_no_polynomial_is_one_constant_with_its_name() -> None:
+    constants = Constants(["b"])
+    constants.note_length(3 * symbol("b") ** -2 + symbol("b"))
+    assert constants.derived == {symbol("b") ** -2: "const1"}
+
+
+def test_entries_of_a_frame_get_names_where_they_are_more_than_a_number_or_a_parameter() -> None:
+    constants = Constants(list(NUMBERS))
+    cells = {"one": "3/2", "zero": "0", "plain": "a", "root": "sqrt(2)", "sum": "a + b", "product": "a*sqrt(2)*b"}
+    for cell in cells.values():
+        constants.note_length(parse(cell))
+    plain = Ring(constants.generators())
+    for name, cell in cells.items():
+        constants.note_entry(plain, constants.length(plain, parse(cell)), name)
+    assert list(constants.entries) == ["root", "sum", "product"]
+    ring = Ring(constants.generators())
+    for name in constants.entries:
+        assert value(constants, ring, ring[name]) == pytest.approx(float(N(parse(cells[name]).subs(VALUES))))
+        assert constants.expression(ring, ring[name]) == parse(cells[name])
+    drawn = constants.sample(random.Random(1), {"a": 3})
+    assert (drawn["a"], drawn["sum"]) == (3, (3 + drawn["b"]) % PRIME)
+    assert drawn["root"] ** 2 % PRIME == 2
 
 
 def points(cell: str, *, seed: int = 1, angle: bool = True, **given: int) -> dict[str, int]:

@@ -6,7 +6,9 @@ FROZEN = "tests/test_frozen.py"
 GOLDEN = "tests/mutation/golden.py"
 WAYS = "tests/inverse/test_ways.py"
 LINKS = "tests/kinematics/test_links.py tests/kinematics/test_forward.py"
+ZEROS = "tests/kinematics/test_angle_sums.py tests/kinematics/test_zeros.py"
 SINGULAR = "tests/kinematics/test_singular.py"
+COSTS = "tests/inverse/test_costs.py"
 BRANCHES = " ".join(
     f"tests/control/test_branches.py::{test}"
     for test in (
@@ -24,10 +26,11 @@ TASKS = "tests/inverse/test_plan.py::test_the_task_that_fits_is_found_without_be
 KILLERS: dict[str, tuple[str, ...]] = {
     "kinsym/algebra/": ("tests/algebra", GOLDEN, SINGULAR),
     "kinsym/algebra/symbolic.py": ("tests/algebra", "tests/test_api.py"),
-    "kinsym/kinematics/": (GOLDEN, LINKS),
+    "kinsym/kinematics/": (GOLDEN, LINKS, ZEROS),
+    "kinsym/kinematics/constants.py": ("tests/kinematics/test_constants.py", GOLDEN, LINKS),
     "kinsym/kinematics/arm_class.py": (GOLDEN, "tests/terminal/test_lists_and_json.py::test_classes"),
     "kinsym/kinematics/convert.py": ("tests/kinematics/test_convert.py",),
-    "kinsym/kinematics/singular/": (GOLDEN, SINGULAR),
+    "kinsym/kinematics/singular/": (GOLDEN, ZEROS, SINGULAR),
     "kinsym/kinematics/tasks.py": (GOLDEN, TASKS, "tests/inverse/test_locks.py"),
     "kinsym/inverse/": (GOLDEN, WAYS),
     "kinsym/inverse/branches.py": (GOLDEN, BRANCHES),
@@ -42,7 +45,9 @@ KILLERS: dict[str, tuple[str, ...]] = {
         WAYS,
         "tests/inverse/test_nonzero.py::test_the_plan_lists_what_it_needs_and_no_more",
     ),
+    "kinsym/inverse/rules/": (COSTS, GOLDEN, WAYS),
     "kinsym/inverse/search.py": (GOLDEN, "tests/inverse/test_search.py", WAYS),
+    "kinsym/inverse/substitution.py": (GOLDEN, "tests/inverse/test_substitution.py", WAYS),
     "kinsym/inverse/verdict.py": ("tests/inverse/test_verdict.py",),
 }
 
