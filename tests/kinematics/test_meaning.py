@@ -171,6 +171,32 @@ def three_are_flat(lines: Lines, special: bool) -> Posture:
     return lines.posture("RRPR", {1: one, 2: two, **({4: lines.between(one, two)} if special else {})}, {})
 
 
+def first_crossing_on_an_axis(lines: Lines, special: bool) -> Posture:
+    """The first two axes of five meet."""
+    axes, at = {i: lines.vector() for i in (1, 2, 4)}, lines.vector()
+    points = {i: plus(at, lines.between(axes[i])) for i in ((1, 2, 4) if special else (1, 2))}
+    return lines.posture("RRRRR", axes, points)
+
+
+def two_pairs_become_parallel(lines: Lines, special: bool) -> Posture:
+    axes = {1: X, 2: lines.between(X)}
+    other = X if special else lines.vector()
+    return lines.posture("RRRRR", {**axes, 3: other, 4: lines.between(other)}, {})
+
+
+def a_few_turns_become_parallel(lines: Lines, special: bool, count: int) -> Posture:
+    return lines.posture("R" * count, {1: Z, **({count: lines.between(Z)} if special else {})}, {})
+
+
+def in_two_planes(lines: Lines, special: bool) -> Posture:
+    """The point where axes 5 and 6 meet lies in the planes along axis 4 through axis 2 and through axis 3."""
+    axes, at = {i: lines.vector() for i in range(1, 7)}, lines.vector()
+    points = {i: plus(at, lines.between(axes[i])) for i in (5, 6)}
+    if special:
+        points |= {i: plus(at, lines.between(axes[i], axes[4])) for i in (2, 3)}
+    return lines.posture("RRRRRR", axes, points)
+
+
 Drawn = Callable[[Lines, bool], Posture]
 CASES: dict[str, tuple[Drawn, str, str]] = {
     "wrist in line": (
@@ -205,6 +231,16 @@ CASES: dict[str, tuple[Drawn, str, str]] = {
     ),
     "centre on axis 2": (lambda lines, special: on_the_axis(lines, special, 2), "", "the wrist centre lies on axis 2"),
     "crossing on axis 1": (crossing_on_the_axis, "shoulder", "the point where axes 5 and 6 meet lies on axis 1"),
+    "crossing of 1 and 2": (first_crossing_on_an_axis, "", "the point where axes 1 and 2 meet lies on axis 4"),
+    "two pairs": (two_pairs_become_parallel, "", "axes 3 and 4 are parallel to axes 1 and 2"),
+    "two turns": (lambda lines, one: a_few_turns_become_parallel(lines, one, 2), "", "axes 1 and 2 are parallel"),
+    "three turns": (lambda lines, one: a_few_turns_become_parallel(lines, one, 3), "", "axes 1 and 3 are parallel"),
+    "four turns": (lambda lines, one: a_few_turns_become_parallel(lines, one, 4), "wrist", "axes 1 and 4 are parallel"),
+    "nearest plane": (
+        in_two_planes,
+        "",
+        "the point where axes 5 and 6 meet lies in the plane through axis 3 parallel to axis 4",
+    ),
     "three in a plane": (
         three_in_a_plane,
         "elbow",
