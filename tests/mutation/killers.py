@@ -9,6 +9,7 @@ LINKS = "tests/kinematics/test_links.py tests/kinematics/test_forward.py"
 ZEROS = "tests/kinematics/test_angle_sums.py tests/kinematics/test_meaning.py tests/kinematics/test_zeros.py"
 SINGULAR = "tests/kinematics/test_singular.py"
 COSTS = "tests/inverse/test_costs.py"
+NEIGHBOURS = "tests/inverse/test_neighbours.py"
 BRANCHES = " ".join(
     f"tests/control/test_branches.py::{test}"
     for test in (
@@ -37,7 +38,7 @@ KILLERS: dict[str, tuple[str, ...]] = {
     "kinsym/inverse/features.py": (GOLDEN, BRANCHES),
     "kinsym/inverse/families.py": (GOLDEN, FAMILIES),
     "kinsym/inverse/locks.py": ("tests/inverse/test_locks.py",),
-    "kinsym/inverse/neighbours.py": ("tests/inverse/test_verdict.py",),
+    "kinsym/inverse/neighbours.py": (NEIGHBOURS, "tests/inverse/test_verdict.py"),
     "kinsym/inverse/choices.py": ("tests/terminal/test_explain.py",),
     "kinsym/inverse/needed.py": ("tests/terminal/test_explain.py",),
     "kinsym/inverse/nonzero.py": (
@@ -46,9 +47,10 @@ KILLERS: dict[str, tuple[str, ...]] = {
         "tests/inverse/test_nonzero.py::test_the_plan_lists_what_it_needs_and_no_more",
     ),
     "kinsym/inverse/rules/": (COSTS, GOLDEN, WAYS),
+    "kinsym/inverse/rules/turned_pair.py": ("tests/inverse/test_turned_pair.py", GOLDEN, WAYS),
     "kinsym/inverse/search.py": (GOLDEN, "tests/inverse/test_search.py", WAYS),
     "kinsym/inverse/substitution.py": (GOLDEN, "tests/inverse/test_substitution.py", WAYS),
-    "kinsym/inverse/verdict.py": ("tests/inverse/test_verdict.py",),
+    "kinsym/inverse/verdict.py": (NEIGHBOURS, "tests/inverse/test_verdict.py"),
 }
 
 
