@@ -20,11 +20,11 @@ from kinsym.robot.model import Task
 from tests.arms import robot
 
 WRITE = TextPrinter()
-#: Groups of up to three joints; axes against one another; slides inside a group and alone.
-CHAINS = {
-    name: build_chain(robot(name) if name in ("reversed_axes", "sliding_rpr") else load(name))
-    for name in ("ur5", "scorbot_5r", "stanford_paul", "scara", "reversed_axes", "sliding_rpr")
-}
+#: Groups of up to three joints; axes against one another; slides inside a group and alone; names in another order.
+CHAINS = {name: build_chain(load(name)) for name in ("ur5", "scorbot_5r", "stanford_paul", "scara")}
+CHAINS |= {name: build_chain(robot(name)) for name in ("reversed_axes", "sliding_rpr")}
+BACKWARDS = "pi/2 0 d1 theta5; 0 a2 0 theta4; 0 a3 0 theta3; pi/2 a4 0 theta2; 0 0 d5 theta1"
+CHAINS["backwards"] = build_chain(from_inline(BACKWARDS, convention="paul", name="backwards"))
 EVERY = pytest.mark.parametrize("chain", CHAINS.values(), ids=CHAINS)
 
 
