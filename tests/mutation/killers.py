@@ -10,6 +10,11 @@ ZEROS = "tests/kinematics/test_angle_sums.py tests/kinematics/test_meaning.py te
 SINGULAR = "tests/kinematics/test_singular.py"
 COSTS = "tests/inverse/test_costs.py"
 NEIGHBOURS = "tests/inverse/test_neighbours.py"
+_SQUARES = "tests/inverse/test_square_and_add.py"
+SQUARES = (
+    f"{_SQUARES}::test_the_degree_that_is_left_of_squares_and_its_coefficient "
+    f"{_SQUARES}::test_the_scale_of_one_side_multiplies_the_others"
+)
 BRANCHES = " ".join(
     f"tests/control/test_branches.py::{test}"
     for test in (
@@ -37,6 +42,7 @@ KILLERS: dict[str, tuple[str, ...]] = {
     "kinsym/inverse/branches.py": (GOLDEN, BRANCHES),
     "kinsym/inverse/features.py": (GOLDEN, BRANCHES),
     "kinsym/inverse/families.py": (GOLDEN, FAMILIES),
+    "kinsym/inverse/knowledge.py": ("tests/inverse/test_knowledge.py", GOLDEN, WAYS),
     "kinsym/inverse/locks.py": ("tests/inverse/test_locks.py",),
     "kinsym/inverse/neighbours.py": (NEIGHBOURS, "tests/inverse/test_verdict.py"),
     "kinsym/inverse/choices.py": ("tests/terminal/test_explain.py",),
@@ -48,6 +54,7 @@ KILLERS: dict[str, tuple[str, ...]] = {
     ),
     "kinsym/inverse/rules/": (COSTS, GOLDEN, WAYS),
     "kinsym/inverse/rules/linear_pole.py": (COSTS, GOLDEN, "tests/inverse/test_linear_pole.py", WAYS),
+    "kinsym/inverse/rules/square_and_add_slide.py": (COSTS, GOLDEN, SQUARES, WAYS),
     "kinsym/inverse/rules/turned_pair.py": ("tests/inverse/test_turned_pair.py", GOLDEN, WAYS),
     "kinsym/inverse/search.py": (GOLDEN, "tests/inverse/test_search.py", WAYS),
     "kinsym/inverse/substitution.py": (GOLDEN, "tests/inverse/test_substitution.py", WAYS),
