@@ -9,6 +9,7 @@ LINKS = "tests/kinematics/test_links.py tests/kinematics/test_forward.py"
 ZEROS = "tests/kinematics/test_angle_sums.py tests/kinematics/test_meaning.py tests/kinematics/test_zeros.py"
 SINGULAR = "tests/kinematics/test_singular.py"
 COSTS = "tests/inverse/test_costs.py"
+VERDICT = "tests/inverse/test_verdict.py"
 NEIGHBOURS = "tests/inverse/test_neighbours.py"
 _SQUARES = "tests/inverse/test_square_and_add.py"
 SQUARES = (
@@ -44,10 +45,11 @@ KILLERS: dict[str, tuple[str, ...]] = {
     "kinsym/inverse/families.py": (GOLDEN, FAMILIES),
     "kinsym/inverse/knowledge.py": ("tests/inverse/test_knowledge.py", GOLDEN, WAYS),
     "kinsym/inverse/locks.py": ("tests/inverse/test_locks.py",),
-    "kinsym/inverse/neighbours.py": (NEIGHBOURS, "tests/inverse/test_verdict.py"),
+    "kinsym/inverse/neighbours.py": (NEIGHBOURS, VERDICT),
     "kinsym/inverse/choices.py": ("tests/terminal/test_explain.py",),
     "kinsym/inverse/needed.py": ("tests/terminal/test_explain.py",),
     "kinsym/inverse/nonzero.py": (
+        "tests/inverse/test_eliminant.py tests/inverse/test_zeros_of_trees.py",
         GOLDEN,
         WAYS,
         "tests/inverse/test_nonzero.py::test_the_plan_lists_what_it_needs_and_no_more",
@@ -56,10 +58,14 @@ KILLERS: dict[str, tuple[str, ...]] = {
     "kinsym/inverse/rules/base.py": ("tests/inverse/test_rule_base.py", GOLDEN, WAYS),
     "kinsym/inverse/rules/linear_pole.py": (COSTS, GOLDEN, "tests/inverse/test_linear_pole.py", WAYS),
     "kinsym/inverse/rules/square_and_add_slide.py": (COSTS, GOLDEN, SQUARES, WAYS),
-    "kinsym/inverse/rules/turned_pair.py": ("tests/inverse/test_turned_pair.py", GOLDEN, WAYS),
-    "kinsym/inverse/search.py": (GOLDEN, "tests/inverse/test_search.py", WAYS),
+    "kinsym/inverse/rules/turned_pair.py": (
+        "tests/inverse/test_turned_pair.py tests/inverse/test_eliminant.py",
+        GOLDEN,
+        WAYS,
+    ),
+    "kinsym/inverse/search.py": (GOLDEN, "tests/inverse/test_search.py", VERDICT, WAYS),
     "kinsym/inverse/substitution.py": (GOLDEN, "tests/inverse/test_substitution.py", WAYS),
-    "kinsym/inverse/verdict.py": (NEIGHBOURS, "tests/inverse/test_verdict.py"),
+    "kinsym/inverse/verdict.py": (NEIGHBOURS, VERDICT),
 }
 
 
