@@ -40,6 +40,7 @@ KILLERS: dict[str, tuple[str, ...]] = {
     "kinsym/kinematics/singular/": (GOLDEN, ZEROS, SINGULAR),
     "kinsym/kinematics/tasks.py": ("tests/kinematics/test_tasks.py", GOLDEN, TASKS, "tests/inverse/test_locks.py"),
     "kinsym/inverse/": (GOLDEN, WAYS),
+    "kinsym/inverse/assemble.py": ("tests/inverse/test_assemble.py", GOLDEN, WAYS),
     "kinsym/inverse/branches.py": (GOLDEN, BRANCHES),
     "kinsym/inverse/features.py": (GOLDEN, BRANCHES),
     "kinsym/inverse/families.py": (GOLDEN, FAMILIES),
