@@ -5,7 +5,7 @@ from __future__ import annotations
 FROZEN = "tests/test_frozen.py"
 GOLDEN = "tests/mutation/golden.py"
 WAYS = "tests/inverse/test_ways.py"
-LINKS = "tests/kinematics/test_links.py tests/kinematics/test_forward.py"
+LINKS = "tests/kinematics/test_links.py tests/kinematics/test_moves.py tests/kinematics/test_forward.py"
 ZEROS = "tests/kinematics/test_angle_sums.py tests/kinematics/test_meaning.py tests/kinematics/test_zeros.py"
 SINGULAR = "tests/kinematics/test_singular.py"
 COSTS = "tests/inverse/test_costs.py"
