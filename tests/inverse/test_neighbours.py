@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 from sympy import Integer, Rational, pi
 
+from kinsym.errors import RobotError
 from kinsym.inverse.neighbours import Change, Miss, changes, paul_table
 from kinsym.inverse.verdict import Verdict
 from kinsym.kinematics.chain import build_chain, chain_to_solve
@@ -154,3 +155,10 @@ def test_a_change_that_costs_a_motion_is_no_help() -> None:
     found = replace(verdict(MIXED, Task.POSE), solves=lambda chain, task: bool(tried.append(chain)))
     assert found.remedies == ()
     assert len(tried) == 1
+
+
+def test_a_change_that_makes_a_table_of_no_robot_is_no_help() -> None:
+    def refuses(chain: object, task: object) -> bool:
+        raise RobotError("no robot", where="arm")
+
+    assert replace(verdict(general("RRRRRR"), Task.POSE), solves=refuses).remedies == ()
