@@ -30,6 +30,7 @@ BUDGET = 60
 TRIAL = 15
 """States that are spent on an arm of which only is asked whether it has a closed form."""
 WIDTH = 3
+"""How many candidates of a state are tried."""
 
 
 @dataclass

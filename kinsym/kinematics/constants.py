@@ -1,6 +1,6 @@
 """The constants of a table as generators of the ring.
 
-Cells hold lengths and angles. A length becomes a polynomial in the parameters; what is no polynomial (sqrt(2), 1/b)
+Cells hold lengths and angles. A length becomes a polynomial in the parameters; what is no polynomial (sqrt(2), pi)
 becomes a named constant. An angle that is a multiple of pi/2 is exact; any other twist or offset gets a cosine and a
 sine of its own, as Pieper's equations in the lecture need (c alpha1, s alpha1).
 """
@@ -68,8 +68,9 @@ class Constants:
             result.append(Generator("c" + name, Kind.CONSTANT))
             result.append(Generator("s" + name, Kind.CONSTANT, "c" + name))
         for expression, name in self.derived.items():
+            # SymPy takes fractions out of a root: sqrt(2/3) is sqrt(6)/3
             squared = expression**2
-            square = Fraction(int(squared.p), int(squared.q)) if isinstance(squared, Rational) else None
+            square = Fraction(int(squared)) if isinstance(squared, Integer) else None
             result.append(Generator(name, Kind.CONSTANT, square))
         result.extend(Generator(name, Kind.CONSTANT) for name in self.entries)
         result.extend(Generator(name, Kind.PARAMETER) for name in self.parameters)
@@ -151,9 +152,8 @@ class Constants:
         for expression, name in self.angles.items():
             c, s = _angle_value(expression, generator)
             values["c" + name], values["s" + name] = given.get("c" + name, c), given.get("s" + name, s)
-        turns: dict[Expr, Point] = {}
         for expression, name in self.derived.items():
-            values[name] = _derived_value(expression, turns, generator)
+            values[name] = _derived_value(expression, generator)
         for name, (ring, poly) in self.entries.items():
             values[name] = ring.evaluate(poly, values)
         return values
@@ -202,24 +202,16 @@ def split_angle(cell: Expr) -> tuple[Expr, int, int]:
 
 
 def _canonical(generic: Expr, quarters: int) -> tuple[Expr, int, int]:
-    if generic != 0 and generic.could_extract_minus_sign():
+    if generic.could_extract_minus_sign():
         return -generic, -1, quarters
     return generic, 1, quarters
 
 
-def _derived_value(expression: Expr, turns: dict[Expr, Point], generator: random.Random) -> int:
-    """A derived constant: roots where the field has them, cosine and sine of one angle from one point."""
-    if isinstance(expression, (cos, sin)):
-        angle = expression.args[0]
-        if angle not in turns:
-            turns[angle] = _angle_value(angle, generator)
-        return turns[angle][isinstance(expression, sin)]
+def _derived_value(expression: Expr, generator: random.Random) -> int:
+    """A derived constant: the root of a number where the field has it, else any value."""
     squared = expression**2
-    if isinstance(squared, Rational):
-        root = sqrt_mod(int(squared.p) * pow(int(squared.q), -1, PRIME) % PRIME, PRIME)
-        if root is not None:
-            return int(root)
-    return generator.randrange(1, PRIME)
+    root = sqrt_mod(int(squared), PRIME) if isinstance(squared, Integer) else None
+    return generator.randrange(1, PRIME) if root is None else int(root)
 
 
 def _angle_value(expression: Expr, generator: random.Random) -> Point:

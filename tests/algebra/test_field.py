@@ -35,6 +35,14 @@ def test_angle_points_keep_their_exact_relations() -> None:
     assert turn((c60, s60), (c30, s30), -1) == (c30, s30)
 
 
+def test_every_multiple_of_the_smallest_angle_has_a_point_of_its_own() -> None:
+    """Were the root of unity of a smaller order than 5040, an angle that is no full turn would have the point of 0."""
+    points = [angle_point(Fraction(number, 2520)) for number in range(5040)]
+    assert len(set(points)) == 5040
+    assert points[0] == (1, 0)
+    assert angle_point(Fraction(5041, 2520)) == points[1]
+
+
 def test_an_angle_outside_the_field_is_refused() -> None:
     assert angle_point(Fraction(1, 11)) is None
 

@@ -11,6 +11,7 @@ from kinsym.algebra.tree import Call, Definition
 from kinsym.deriving import derive
 from kinsym.emit.text import equations
 from kinsym.errors import NoClosedForm
+from kinsym.inverse.locks import _listed
 from kinsym.inverse.plan import Window
 from kinsym.inverse.search import derive_plan
 from kinsym.kinematics.chain import chain_to_solve
@@ -54,6 +55,11 @@ def test_no_lock_helps() -> None:
     assert "No closed form was found with theta1, theta2, theta3, theta4, theta5, theta6 or theta7 locked" in refusal(
         table
     )
+
+
+@pytest.mark.parametrize(("items", "text"), [(["a"], "a"), (["a", "b"], "a or b"), (["a", "b", "c"], "a, b or c")])
+def test_choices_are_listed_as_a_sentence_lists_them(items: list[str], text: str) -> None:
+    assert _listed(items) == text
 
 
 def test_axes_that_miss_have_their_numbers_in_the_whole_arm() -> None:

@@ -10,8 +10,9 @@ import pytest
 
 from kinsym.errors import NoClosedForm
 from kinsym.inverse import search
+from kinsym.inverse.rules.base import Candidate, Names, Outcome
 from kinsym.inverse.search import derive_plan
-from kinsym.inverse.state import State
+from kinsym.inverse.state import State, start
 from kinsym.kinematics.chain import build_chain
 from kinsym.robot import from_inline
 from kinsym.robot.model import Task
@@ -51,3 +52,27 @@ def test_a_dead_end_is_looked_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     assert len(visits) > 2
     assert set(visits.values()) == {1}
     assert longest < 300
+
+
+@pytest.mark.parametrize(("led_by", "tried"), [(None, [0, 1, 2]), (0, [0]), (1, [0, 1]), (2, [0, 1, 2])])
+def test_three_candidates_of_a_state_are_tried_one_after_the_other(
+    monkeypatch: pytest.MonkeyPatch, led_by: int | None, tried: list[int]
+) -> None:
+    """Until one of them leads to a plan; where none does the search is back at the state."""
+    state, _ = start(build_chain(robot("three_slides")), Task.POSITION)
+    built: list[int] = []
+
+    def candidate(number: int) -> Candidate:
+        def build(names: Names) -> Outcome:
+            built.append(number)
+            known = state.known.with_length("d1")
+            for other in ("d2", "d3") if number == led_by else (f"none{number}",):
+                known = known.with_length(other)
+            return Outcome((), known)
+
+        return Candidate(number, 0, "d1", build)
+
+    monkeypatch.setattr(search, "ranked", lambda here: iter(map(candidate, range(5))) if here == state else iter(()))
+    found = search._Search(100).run(state, Names(set()), ())
+    assert built == tried
+    assert (found is None) == (led_by is None)

@@ -119,7 +119,9 @@ def test_solutions_are_exact_next_to_the_axes(distance: float, axis: int) -> Non
         assert np.abs(module.fk(found, **parameters)[:, :3, 3] - T[:3, 3]).max() < 1e-11
 
 
-def test_the_degree_that_is_left_of_squares_and_its_coefficient() -> None:
+@pytest.mark.parametrize("place", [0, 1])
+@pytest.mark.parametrize("taken", [0, 1])
+def test_the_degree_that_is_left_of_squares_and_its_coefficient(place: int, taken: int) -> None:
     """(5 + 2 d + d^2)^2 - (7 + 2 d + d^2)^2 = -24 - 8 d - 4 d^2: half of it by terms that are not squares."""
     ring = build_chain(load("planar_rr")).ring
 
@@ -127,6 +129,27 @@ def test_the_degree_that_is_left_of_squares_and_its_coefficient() -> None:
         return tuple(ring.number(Fraction(number)) for number in numbers)
 
     state = SimpleNamespace(chain=SimpleNamespace(ring=ring), values=lambda poly: [int(bool(poly))])
-    sides = [SimpleNamespace(rest=line(*numbers), scale=ring.one) for numbers in ((5, 2, 1), (0, 0, 0))]
-    pair = SimpleNamespace(sides=sides, k1=line(7, 2, 1), k2=line(0, 0, 0))
+    lines = [line(0, 0, 0), line(0, 0, 0)]
+    lines.insert(place, line(5, 2, 1))
+    less = [line(0, 0, 0)]
+    less.insert(taken, line(7, 2, 1))
+    sides = [SimpleNamespace(rest=numbers, scale=ring.one) for numbers in lines[:2]]
+    pair = SimpleNamespace(sides=sides, k1=less[0], k2=less[1])
     assert _leading(state, pair) == (2, ring.number(Fraction(-4)))
+
+
+def test_the_scale_of_one_side_multiplies_the_others() -> None:
+    """X = d^2/2 and Y = d/3, less k1 = d and k2 = 1: times 36 it is 9 d^4 + 4 d^2 - 36 d^2 - 36."""
+    ring = build_chain(load("planar_rr")).ring
+    one, zero = ring.one, ring.zero
+    state = SimpleNamespace(chain=SimpleNamespace(ring=ring), values=lambda poly: [int(bool(poly))])
+    sides = [
+        SimpleNamespace(rest=(zero, zero, one), scale=ring.number(2)),
+        SimpleNamespace(rest=(zero, one, zero), scale=ring.number(3)),
+    ]
+    pair = SimpleNamespace(sides=sides, k1=(zero, one, zero), k2=(one, zero, zero))
+    assert _leading(state, pair) == (4, ring.number(9))
+    sides[0].rest = (zero, zero, zero)
+    assert _leading(state, pair) == (2, ring.number(4 - 36))
+    pair.k1 = sides[1].rest = (zero, zero, zero)
+    assert _leading(state, pair) == (0, zero)

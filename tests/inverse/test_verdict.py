@@ -6,6 +6,7 @@ import pytest
 
 from kinsym.deadline import Deadline
 from kinsym.errors import NoClosedForm
+from kinsym.inverse import search as solver
 from kinsym.inverse.plan import Plan
 from kinsym.inverse.search import derive_plan
 from kinsym.inverse.verdict import Verdict
@@ -82,6 +83,12 @@ def test_a_deadline_ends_the_trials_too() -> None:
         return True
 
     assert "No time was left" in str(Verdict(found.chain, found.task, found.left, found.found, late))
+
+
+def test_a_change_is_tried_out_by_a_search_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One that may look at no state finds nothing, whatever is changed."""
+    monkeypatch.setattr(solver, "TRIAL", 0)
+    assert verdict_on(arm(OFFSET_WRIST)).remedies == ()
 
 
 def test_a_change_that_does_not_help_is_not_named() -> None:

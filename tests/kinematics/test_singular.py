@@ -18,8 +18,10 @@ from kinsym.emit.prose.singular import angles, equations, leading_to, verdict
 from kinsym.emit.text.formula import TextPrinter
 from kinsym.kinematics.chain import build_chain, chain_to_solve
 from kinsym.kinematics.singular import SingularSet, minors, singular_set
+from kinsym.kinematics.singular.conditions import Arm
+from kinsym.kinematics.singular.given import given_conditions
 from kinsym.kinematics.singular.posture import Posture
-from kinsym.kinematics.singular.zeros import postures, somewhere
+from kinsym.kinematics.singular.zeros import Part, postures, somewhere
 from kinsym.robot import from_inline, load, lock
 from kinsym.robot.expressions import parse
 from kinsym.robot.model import Task
@@ -233,6 +235,15 @@ def test_values_of_an_input_at_which_every_pose_is_singular(name: str, joint: st
         value = parse(relation.partition(" = ")[2], where="test")
         chain = chain_to_solve(replace(load(name), locks={joint: value}))
         assert all(kernel(posture.jacobian(Task.POSE)) for posture in somewhere(chain, 2))
+
+
+def test_a_polynomial_in_one_input_is_not_its_cosine() -> None:
+    """2 c2 = 1 is told as it is, and only of a square Jacobian: nothing is known of where it vanishes."""
+    arm = Arm(chain_to_solve(lock(load("kuka_iiwa"), {"theta2": None})), Task.POSE)
+    factor = 2 * arm.chain.ring["c2"] - 1
+    (found,) = given_conditions(arm, [factor], square=True)
+    assert found.zeros == ((Part(factor),),)
+    assert not list(given_conditions(arm, [factor], square=False))
 
 
 def test_a_sum_in_an_input_is_told_as_it_is() -> None:

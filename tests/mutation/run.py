@@ -23,7 +23,7 @@ from tests.mutation.killers import calls as calls_of
 from tests.mutation.mutants import ROOT, Mutant
 
 #: What the tests read. Nothing is ever written anywhere but in the copy.
-TREE = ("kinsym", "templates", "tests", "generated", "pyproject.toml")
+TREE = ("kinsym", "templates", "tests", "generated", "docs", "pyproject.toml")
 KILLED, SURVIVED = "killed", "SURVIVED"
 ENDLESS, CRASHED, NO_IMPORT = "never ends", "crashes", "cannot be imported"
 

@@ -14,10 +14,13 @@ from kinsym.emit.prose.lessons import LESSONS, comparison
 from kinsym.emit.text.explain import explanation
 from kinsym.emit.text.explain_general import elimination
 from kinsym.emit.text.page import Page
-from kinsym.inverse.choices import Choice, choices
+from kinsym.inverse.choices import Choice, _met, choices
 from kinsym.inverse.needed import needed, solvable
 from kinsym.inverse.plan import Step, Window
 from kinsym.inverse.rules import TITLES
+from kinsym.inverse.rules.base import Names
+from kinsym.inverse.search import ranked
+from kinsym.inverse.state import shortened, start
 from kinsym.robot import load
 from tests.arms import PUMA, derivation
 
@@ -51,6 +54,24 @@ def test_the_choices_are_those_of_the_search(name: str) -> None:
         taken = [choice for choice in met[step.number] if choice.taken]
         assert [(choice.unknown, choice.rule) for choice in taken] == [(step.unknown, step.rule)]
         assert taken[0] == met[step.number][0]
+
+
+def test_the_one_that_was_taken_is_marked_wherever_it_stands() -> None:
+    """After a dead end the search goes on with a later candidate: each of them, in turn, is the beginning of a way."""
+    found = derivation("planar_rpr")
+    assert found.plan is not None
+    state, _ = start(found.solved, found.plan.task)
+    while (step := shortened(state)) is not None:
+        state = step[0]
+    names = Names(set(found.solved.ring.index))
+    every = list(ranked(state))
+    assert len(every) > 1
+    for place, candidate in enumerate(every):
+        outcome = candidate.build(Names(set(names.taken)))
+        met = _met(state, names, [item for item in outcome.items if isinstance(item, Step)])
+        assert met is not None
+        assert [number for number, choice in enumerate(met[1]) if choice.taken] == [place]
+        assert met[0] == outcome
 
 
 def test_a_plan_of_another_search_has_no_choices() -> None:

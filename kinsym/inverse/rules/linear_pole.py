@@ -54,10 +54,7 @@ def _pole(state: State, form: LinearForm) -> Pole | None:
         return None
     alpha, beta = parts[(0,)], parts[(1,)]
     for sense in (1, -1):
-        far = alpha - beta * sense
-        if any(state.vanishes(alpha + beta * sense + radius * sign) for sign in (1, -1)) and not any(
-            state.vanishes(far + radius * sign) for sign in (1, -1)
-        ):
+        if any(state.vanishes(alpha + beta * sense + radius * sign) for sign in (1, -1)):
             return Pole(alpha, beta, entries[0], sense)
     return None
 

@@ -74,7 +74,7 @@ def rewritten(chain: Chain, group: Group, edges: Edges, poly: Poly) -> Poly:
     names = _used(chain, group, poly)
     values: dict[str, Poly] = {}
     for (index, low, high), angle in chain.angles.items():
-        if index != group.index or not {angle.cosine, angle.sine} & set(names):
+        if not {angle.cosine, angle.sine} & set(names):
             continue
         c, s = ring.one, ring.zero
         for start, end in path(edges, low, high):

@@ -98,13 +98,12 @@ def _places(task: Task, ordinary: Posture) -> Iterator[_Place]:
     for count in (3, 2):
         for first in range(last - count + 1, -1, -1):
             joints = tuple(range(first, first + count))
-            if any(ordinary.kinds[joint] != "R" for joint in joints) or crossing(ordinary, *joints[:2]) is None:
-                continue
-            point = crossing(ordinary, *joints[:2])
-            if count == 3 and (point is None or any(_lever(ordinary, joints[2], point))):
+            turning = all(ordinary.kinds[joint] == "R" for joint in joints)
+            point = crossing(ordinary, *joints[:2]) if turning else None
+            if point is None or (count == 3 and any(_lever(ordinary, joints[2], point))):
                 continue
             words = f"the point where axes {_listed(ordinary, joints)} meet"
-            if count == 3 and joints[-1] == last and last > 2:
+            if count == 3 and joints[-1] == last:
                 words = "the wrist centre"
             yield _Place(words, joints, partial(_meeting_point, first=first))
     if task in WITH_AN_END:
