@@ -39,7 +39,7 @@ LEAST_DAMPING = 1e-20
 #: The least damping of steps that lead back onto the curve along which the pose hardly feels a motion, and how many.
 STEADY = 1e-7
 BACK = 4
-#: Slides that are drawn out so far, in sizes of the arm, leave doubles no digits for the rest: nothing is reached there.
+#: Slides that are drawn out so far, in sizes of the arm, leave doubles no digits for the rest: nothing is reached.
 FAR = 1e9
 #: So many passes in a row that gain less than this share of the distance have met a least one that is not zero. Few
 #: are too few: where the Jacobian nearly loses rank the damping falls from pass to pass before anything is gained.
