@@ -33,13 +33,13 @@ class _Form(NamedTuple):
 class _Knot(NamedTuple):
     """An end of an interval without a turning point: what a root there is marked with, NONE if it is no root.
 
-    ``apart`` is how far from a root that stays one its value is as large as the tolerance, if the vectors are short.
+    ``ends`` are the roots that stand for it instead where the vectors are short.
     """
 
     u: Value
     mark: Mark
     soft: bool
-    apart: Value = 0
+    ends: tuple[Value, ...] = ()
 
 
 def quartic(ctx: Any, given: Inputs, free: Value, loose: bool) -> list[tuple[Root, Mark]]:
@@ -105,26 +105,28 @@ def _knots(ctx: Any, polynomial: Sequence[Value], forms: Sequence[_Form], loose:
             mark = Mark.BORDER | Mark.DOUBTFUL
         else:
             mark = NONE
-        knots.append(_Knot(u, mark, soft, _apart(ctx, polynomial, forms, u) if mark == Mark.BORDER else 0))
+        knots.append(_Knot(u, mark, soft, _ends(ctx, polynomial, forms, u) if mark == Mark.BORDER else ()))
     return knots
 
 
-def _apart(ctx: Any, polynomial: Sequence[Value], forms: Sequence[_Form], u: Value) -> Value:
-    """How far from a turning point the value has changed by the tolerance; 0 if no vector is short.
+def _ends(ctx: Any, polynomial: Sequence[Value], forms: Sequence[_Form], u: Value) -> tuple[Value, ...]:
+    """The points up to which the value has changed by the tolerance, () if no vector is short.
 
-    It is 0 as well where more than two roots meet, which the curvature says nothing of.
+    Where a vector vanishes the middle is one of them: the next angle is free there. There are none where more than two
+    roots meet, which the curvature says nothing of.
     """
-    bands, brief = [], False
+    bands, least = [], ctx.mpf(BRIEF)
     for form in forms:
         width, length = form.tolerance * (1 + u * u), 2 * _length(ctx, form, u)
         bands.append(width * (length + width) / form.lead)
-        brief = brief or length <= BRIEF * width
+        least = min(least, length / width)
     bend = abs(_horner(_slope(_slope(polynomial)), u) / (2 * polynomial[-1]))
-    if not (brief and bend):
-        return 0
+    if least >= BRIEF or not bend:
+        return ()
     apart = ctx.sqrt(min(bands) / bend)
-    ends = (abs(_horner(polynomial, u + side * apart) / polynomial[-1]) for side in (-1, 1))
-    return apart if max(ends) <= 4 * min(bands) else 0
+    if any(abs(_horner(polynomial, u + side * apart) / polynomial[-1]) > 4 * min(bands) for side in (-1, 1)):
+        return ()
+    return (u - apart if least > 1 else u, u + apart)
 
 
 def _length(ctx: Any, form: _Form, u: Value) -> Value:
@@ -148,8 +150,8 @@ def _real_points(
     found = []
     for touching, group in groupby(knots, key=lambda knot: knot.mark != NONE):
         run = list(group)
-        if touching and len(run) == 1 and run[0].apart:
-            found += [(run[0].u + side * run[0].apart, Mark.SOFT | Mark.DOUBTFUL) for side in (-1, 1)]
+        if touching and len(run) == 1 and run[0].ends:
+            found += [(end, Mark.SOFT | Mark.DOUBTFUL) for end in run[0].ends]
         elif touching:
             doubt = Mark.DOUBTFUL if any(Mark.DOUBTFUL in knot.mark for knot in run) else NONE
             found.append(((run[0].u + run[-1].u) / 2, Mark.BORDER | doubt))

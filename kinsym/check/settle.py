@@ -183,7 +183,7 @@ class Settler:
         there = self._forward(q)
         missed = self._differences(there, goal)
         reached = self._distance(missed)
-        for _ in range(BACK):
+        for _ in range(BACK if reached > 2 * left else 0):
             if reached < left:
                 break
             step = self._step(self._slopes(q, there, goal), missed, max(reached, self._ctx.mpf(STEADY)))

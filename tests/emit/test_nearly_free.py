@@ -54,3 +54,12 @@ def test_the_module_finds_both_curves(made_up: Arm) -> None:
 def test_the_exact_walk_finds_both_curves(made_up: Arm) -> None:
     q = joint_vectors(made_up)
     assert not lost(made_up, exactly(made_up), q, np.zeros(q.shape))
+
+
+@needs_compiler
+@pytest.mark.parametrize("made_up", [("three axes parallel, 3-5", 0), ("three axes parallel, 3-5", 1)])
+def test_the_reference_says_where_on_a_curve_the_answer_is(made_up: Arm) -> None:
+    """With axis 1 parallel to the three the next angle is free: the middle of the double root has to stay for that."""
+    q = np.random.Generator(np.random.PCG64(5)).uniform(-3.0, 3.0, (24, 6))
+    q[:, 1] = 0.0
+    assert not lost(made_up, in_c(made_up), q, q)
