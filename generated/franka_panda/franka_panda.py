@@ -974,10 +974,19 @@ def _slopes(q, size, given):
     return D
 
 
+def _stepped(q, e, damping, size, given):
+    """The joint vectors q (k, 7) after a damped step (damping (k,)) that takes the differences e away."""
+    D = np.concatenate([_slopes(q, size, given), damping[:, None, None] * np.eye(7)], axis=1)
+    Q, R = np.linalg.qr(D)
+    step = np.linalg.solve(R, Q[:, : e.shape[1]].transpose(0, 2, 1) @ e[..., None])[..., 0]
+    return q - step
+
+
 def _polish(q, M, size, given):
     """Move q (k, 7) towards the poses M (k, 4, 4) by least squares; returns the distances that are left (k,).
 
-    Damped by the distance: fast even where the Jacobian loses rank.
+    Damped by the distance: fast even where the Jacobian loses rank. What the pose hardly feels is a motion along a curve,
+    which a long step leaves: steps that are damped too much for that motion lead back, before the step is judged.
     """
     e, left = _distance(q, M, size, given)
     caution = np.ones_like(left)
@@ -985,12 +994,16 @@ def _polish(q, M, size, given):
         rows = np.flatnonzero((left > 1e-15) & (caution < 1e9))
         if not rows.size:
             break
-        damping = np.maximum(left[rows], 1e-14) * caution[rows]
-        D = np.concatenate([_slopes(q[rows], size[rows], given), damping[:, None, None] * np.eye(7)], axis=1)
-        Q, R = np.linalg.qr(D)
-        step = np.linalg.solve(R, Q[:, : e.shape[1]].transpose(0, 2, 1) @ e[rows, :, None])[..., 0]
-        trial = q[rows] - step
+        trial = _stepped(q[rows], e[rows], np.maximum(left[rows], 1e-14) * caution[rows], size[rows], given)
         differences, reached = _distance(trial, M[rows], size[rows], given)
+        off = np.flatnonzero(reached >= left[rows])
+        for _ in range(4):
+            if not off.size:
+                break
+            before, at = reached[off], rows[off]
+            trial[off] = _stepped(trial[off], differences[off], np.maximum(before, 1e-7), size[at], given)
+            differences[off], reached[off] = _distance(trial[off], M[at], size[at], given)
+            off = off[(reached[off] < before) & (reached[off] >= left[at])]
         better = reached < left[rows]
         caution[rows] *= np.where(better, 0.1, 10.0)
         rows = rows[better]

@@ -627,6 +627,10 @@ _CHART = 0.7
 _ARC = math.tan(math.pi / 16.0)
 # How far, in units of the arm's length, a solution may be off its pose.
 _ACCEPTED = 1e-10
+# Where the determinant is below this at every angle it is zero.
+_VANISHING = 1e-13
+# Where the search for solutions without it starts: each joint's share of its range is the fraction of a multiple.
+_STRIDES = np.array([0.414214, 0.732051, 0.236068, 0.645751, 0.316625, 0.605551])
 # Below this a pivot, as a share of the first one, tells of a second null vector.
 _TWO_VECTORS = 1e-3
 _BORDER_COLUMN = np.array([0.53, -0.41, 0.67, 0.38, -0.59, 0.44, -0.36, 0.62, 0.49, -0.55, 0.33, -0.64])
@@ -813,13 +817,17 @@ def _solve(M, parameters):
     wanted[:, 3, 3] = 1.0
     which = np.arange(len(wanted))
     found = np.zeros(0, dtype=int), np.zeros((0, 6)), np.zeros(0)
+    silent = np.ones(len(wanted), dtype=bool)
     # First the best way round, then another for the poses that are in doubt; then a pose nearby, from which Newton's
-    # method leads back: where several solutions share their suppressed angle, those of a pose beside it do not.
+    # method leads back: where several solutions share their suppressed angle, those of a pose beside it do not. Where
+    # no way round tells anything of a pose, solutions are looked for from anywhere.
     for way, nearby in ((0, False), (1, False), (0, True), (1, True)):
-        found, doubt = _attempt(_CUTS[way], which, wanted[which], nearby, found, parameters)
+        found, doubt, untold = _attempt(_CUTS[way], which, wanted[which], nearby, found, parameters)
+        silent[which] &= untold | nearby
         which = which[doubt]
         if not len(which):
             break
+    found = _descended(np.setdiff1d(which[silent[which]], found[0]), wanted, found, parameters)
     q, valid = _packed(found[0], found[1], _lengths(wanted, parameters))
     whole = _whole(q.reshape(-1, 6), parameters["theta3"]).reshape(*valid.shape, 7)
     whole[~valid] = np.nan
@@ -860,10 +868,10 @@ def _attempt(cut, which, wanted, nearby, found, parameters):
     """What a cut finds for the poses with the numbers ``which``, added to what was found before.
 
     Solved are the poses themselves or, if ``nearby``, those beside them. Returns all solutions as (pose, q, how far off),
-    and which of the poses may still miss one.
+    which of the poses may still miss one, and of which this cut tells nothing.
     """
     length = _lengths(wanted, parameters)
-    pose, q, roots = _starts(cut, length, _beside(wanted, length) if nearby else wanted, parameters)
+    pose, q, roots, silent = _starts(cut, length, _beside(wanted, length) if nearby else wanted, parameters)
     q, off = _polished(q, wanted[pose], length[pose], parameters)
     good = off < _ACCEPTED
     pose, q, off = pose[good], _wrapped(q[good]), off[good]
@@ -874,10 +882,11 @@ def _attempt(cut, which, wanted, nearby, found, parameters):
     doubt = np.ones(len(which), dtype=bool)
     if not nearby:
         angle = q[:, cut[0][2]]
-        doubt = _unowned(roots, pose, angle, len(which)) | _crowded(pose, angle, len(which), 3 if cut[3] else 2)
+        doubt = silent | _unowned(roots, pose, angle, len(which))
+        doubt |= _crowded(pose, angle, len(which), 3 if cut[3] else 2)
         doubt |= np.bincount(pose, minlength=len(which)) % 2 == 1
     others = tuple(part[~known] for part in found)
-    return tuple(np.concatenate([a, b]) for a, b in zip(others, (which[pose], q, off))), doubt
+    return tuple(np.concatenate([a, b]) for a, b in zip(others, (which[pose], q, off))), doubt, silent
 
 
 def _wrapped(q):
@@ -1124,16 +1133,16 @@ def _determinant(cut, system, pose, angle):
 
 
 def _starts(cut, length, wanted, parameters):
-    """Joint vectors near the solutions, (pose, q), and the roots they came from, (pose, angle, solutions due)."""
+    """Joint vectors near the solutions (pose, q), their roots (pose, angle, solutions due), and silent poses."""
     links, closing = _scaled(wanted, length, parameters)
     six, *equations = _equations(cut, links, closing)
     system = _system(cut, six)
-    pose, angle, twice = _roots(cut, system, len(length))
+    pose, angle, twice, silent = _roots(cut, system, len(length))
     root, x, W, second = _candidates(cut, system, pose, angle, twice)
     q = _substituted(cut, links, closing, equations, (pose[root], angle[root], x, W))
     due = np.where(second, 2, 0) if cut[3] else np.where(twice, 2, 1)
     q = np.where(_LOOP_SLIDING, q * length[pose[root], None], q)
-    return pose[root], q[:, :6], (pose, angle, due)
+    return pose[root], q[:, :6], (pose, angle, due), silent
 
 
 def _moved(joint, sign, value):
@@ -1262,9 +1271,13 @@ _ON_LAST_INTERVALS = (0.0, *_ON_INTERVALS[1:])
 
 
 def _roots(cut, system, count):
-    """The real roots of the determinants of ``count`` poses: (pose, suppressed angle, whether double), each (m,)."""
+    """The real roots of the determinants of ``count`` poses: (pose, suppressed angle, whether double), each (m,).
+
+    The last that is returned tells of which poses (count,) the determinant vanishes at every angle.
+    """
     angles = _OFFSET + 2.0 * np.pi / 17.0 * np.arange(17)
     values = _determinant(cut, system, np.repeat(np.arange(count), 17), np.tile(angles, count)).reshape(count, 17)
+    silent = ~(np.abs(values).max(axis=1) > _VANISHING)
     values = _normalized(values)
     waves = np.fft.rfft(values, axis=1) * (2.0 / 17.0)
     waves[:, 0] *= 0.5
@@ -1296,7 +1309,7 @@ def _roots(cut, system, count):
         found = np.concatenate([found, simple[1], double[1]])
         twice = np.concatenate([twice, np.zeros(len(simple[0]), dtype=bool), np.ones(len(double[0]), dtype=bool)])
         crowd, start, end = again
-    return pose, found, twice
+    return pose, found, twice, silent
 
 
 def _normalized(values):
@@ -1478,19 +1491,25 @@ def _distance(T, wanted, length):
     return gap.max(axis=(1, 2))
 
 
-def _step(T, J, wanted, length):
-    """The Newton step (k, 6) from poses T with Jacobians J to the wanted ones; what is singular is left alone."""
+def _linearised(T, J, wanted, length):
+    """Jacobians J (k, 6, 6) and the missing twists (k, 6) of poses T, and the units of the joints, (k, 6)."""
     unit = np.where(_SLIDING, length[:, None], 1.0)
     J = J * unit[:, None]
     J[:, :3] /= length[:, None, None]
     error = np.empty((len(T), 6))
     error[:, :3] = (wanted[:, :3, 3] - T[:, :3, 3]) / length[:, None]
     error[:, 3:] = 0.5 * np.cross(T[:, :3, :3], wanted[:, :3, :3], axis=1).sum(axis=2)
+    return J, error, unit
+
+
+def _step(T, J, wanted, length):
+    """The Newton step (k, 6) from poses T with Jacobians J to the wanted ones; what is singular is left alone."""
+    J, error, unit = _linearised(T, J, wanted, length)
     rows, order = _eliminated(np.concatenate([J, error[..., None]], axis=2).transpose(1, 2, 0), 6)
     x = np.zeros((6, len(T)))
     for k in range(5, -1, -1):
         pivot = rows[k, k]
-        used = np.abs(pivot) > 1e-9 * np.abs(rows[0, 0])
+        used = np.abs(pivot) > 1e-13 * np.abs(rows[0, 0])
         rest = rows[k, 6] - (rows[k, k + 1 : 6] * x[k + 1 :]).sum(axis=0)
         x[k] = np.where(used, rest / np.where(used, pivot, 1.0), 0.0)
     step = np.empty(x.shape)
@@ -1519,6 +1538,40 @@ def _polished(q, wanted, length, parameters):
         move, size = _step(T, _jacobians(q, parameters), wanted[rows], length[rows])
         rows, q = rows[size > 1e-15], (q + move)[size > 1e-15]
     return best, closest
+
+
+def _descended(which, wanted, found, parameters):
+    """What was found, and solutions of the poses with the numbers ``which`` that are found without a determinant.
+
+    It says nothing where it vanishes for every angle: at a pose that a whole curve of joint vectors reaches. Least
+    squares, damped by the distance that is left, lead from starts all over the range of the joints to the curve.
+    """
+    if not len(which):
+        return found
+    lengths = _lengths(wanted, parameters)
+    pose = np.repeat(which, 32)
+    length = lengths[pose]
+    shares = 2.0 * (np.arange(1.0, 33)[:, None] * _STRIDES % 1.0) - 1.0
+    q = np.tile(shares, (len(which), 1)) * np.where(_SLIDING, 2.0 * length[:, None], np.pi)
+    far = np.arange(len(pose))
+    for _ in range(60):
+        T = _reached(q[far], parameters)
+        off = _distance(T, wanted[pose[far]], length[far])
+        far, T = far[off > 1e-3], T[off > 1e-3]
+        if not len(far):
+            break
+        J, error, unit = _linearised(T, _jacobians(q[far], parameters), wanted[pose[far]], length[far])
+        damping = 1e-12 + 0.1 * (error * error).sum(axis=1)
+        normal = J.swapaxes(1, 2) @ J + damping[:, None, None] * np.eye(6)
+        step = np.linalg.solve(normal, J.swapaxes(1, 2) @ error[..., None])[..., 0]
+        size = np.sqrt((step * step).sum(axis=1, keepdims=True))
+        q[far] += step * np.minimum(1.0, 0.5 / np.maximum(size, 0.5)) * unit
+    near = np.setdiff1d(np.arange(len(pose)), far)
+    pose, length = pose[near], length[near]
+    q, off = _polished(q[near], wanted[pose], length, parameters)
+    good = off < _ACCEPTED
+    more = _distinct(pose[good], _wrapped(q[good]), off[good], wanted, lengths, parameters)
+    return tuple(np.concatenate(parts) for parts in zip(found, more))
 
 
 @np.errstate(all="ignore")

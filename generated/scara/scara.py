@@ -604,10 +604,19 @@ def _slopes(q, size, given):
     return D
 
 
+def _stepped(q, e, damping, size, given):
+    """The joint vectors q (k, 4) after a damped step (damping (k,)) that takes the differences e away."""
+    D = np.concatenate([_slopes(q, size, given), damping[:, None, None] * np.eye(4)], axis=1)
+    Q, R = np.linalg.qr(D)
+    step = np.linalg.solve(R, Q[:, : e.shape[1]].transpose(0, 2, 1) @ e[..., None])[..., 0]
+    return q - step * np.where(_SLIDES, size[:, None], 1.0)
+
+
 def _polish(q, M, size, given):
     """Move q (k, 4) towards the poses M (k, 4, 4) by least squares; returns the distances that are left (k,).
 
-    Damped by the distance: fast even where the Jacobian loses rank.
+    Damped by the distance: fast even where the Jacobian loses rank. What the pose hardly feels is a motion along a curve,
+    which a long step leaves: steps that are damped too much for that motion lead back, before the step is judged.
     """
     e, left = _distance(q, M, size, given)
     caution = np.ones_like(left)
@@ -615,12 +624,16 @@ def _polish(q, M, size, given):
         rows = np.flatnonzero((left > 1e-15) & (caution < 1e9))
         if not rows.size:
             break
-        damping = np.maximum(left[rows], 1e-14) * caution[rows]
-        D = np.concatenate([_slopes(q[rows], size[rows], given), damping[:, None, None] * np.eye(4)], axis=1)
-        Q, R = np.linalg.qr(D)
-        step = np.linalg.solve(R, Q[:, : e.shape[1]].transpose(0, 2, 1) @ e[rows, :, None])[..., 0]
-        trial = q[rows] - step * np.where(_SLIDES, size[rows, None], 1.0)
+        trial = _stepped(q[rows], e[rows], np.maximum(left[rows], 1e-14) * caution[rows], size[rows], given)
         differences, reached = _distance(trial, M[rows], size[rows], given)
+        off = np.flatnonzero(reached >= left[rows])
+        for _ in range(4):
+            if not off.size:
+                break
+            before, at = reached[off], rows[off]
+            trial[off] = _stepped(trial[off], differences[off], np.maximum(before, 1e-7), size[at], given)
+            differences[off], reached[off] = _distance(trial[off], M[at], size[at], given)
+            off = off[(reached[off] < before) & (reached[off] >= left[at])]
         better = reached < left[rows]
         caution[rows] *= np.where(better, 0.1, 10.0)
         rows = rows[better]
@@ -632,6 +645,7 @@ def _polish(q, M, size, given):
 def _settle(q, valid, mark, free, border, apart, M, tau, size, given):
     """Polish the marked solutions q (N, 2, 4) that need it, and say in valid (N, 2) which of them are solutions.
 
+    A slide that was divided by next to nothing lies far off; in the last start it is no longer than the arm.
     Where two borders cross the distance is stationary, and a second start lies beside it. A border that had to be
     polished hid two solutions: the other is looked for on the other side. apart (N, 2) tells how many places
     farther it belongs, 0 where there is none; free and border are the bits of joints.    """
@@ -641,12 +655,15 @@ def _settle(q, valid, mark, free, border, apart, M, tau, size, given):
     M, size, reach = M[pose], scale[pose], 4.0 * tau[pose]
     start = q[pose, branch]
     ends, left = start.copy(), _distance(start, M, size, given)[1]
-    for trial in range(4):
+    for trial in range(5):
         rows = np.flatnonzero(left > reach)
         if not rows.size:
             break
         beside = left[rows, None] ** (1.0 / (1.0 + trial)) * (trial > 0)
         beside = beside * np.cos(1.0 + np.arange(4)) * np.where(_SLIDES, size[rows, None], 1.0)
+        if trial == 4:
+            inside = np.clip(start[rows], -size[rows, None], size[rows, None])
+            beside = np.where(_SLIDES, inside - start[rows], 0.0)
         moved = start[rows] + beside
         reached = _polish(moved, M[rows], size[rows], given)
         better = (reached < left[rows]) | (trial == 0)

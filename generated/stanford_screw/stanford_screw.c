@@ -495,7 +495,8 @@ KINSYM_FN static void step(double D[ENTRIES][STANFORD_SCREW_JOINTS], const doubl
 }
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
- * Jacobian loses rank. Returns the distance. */
+ * Jacobian loses rank. What the pose hardly feels is a motion along a curve, which a long step leaves: steps that are
+ * damped too much for that motion lead back, before the step is judged. Returns the distance. */
 KINSYM_FN static double polish(double q[STANFORD_SCREW_JOINTS], const stanford_screw_params *p,
     const double M[12], double size)
 {
@@ -507,7 +508,17 @@ KINSYM_FN static double polish(double q[STANFORD_SCREW_JOINTS], const stanford_s
         for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
             trial[i] = q[i] - (slides[i] ? size : 1.0) * g[i];
         }
-        const double reached = distance(trial, p, M, size, e);
+        double reached = distance(trial, p, M, size, e);
+        for (int back = 0, nearer = 1; back < 4 && nearer && reached >= left; ++back) {
+            const double before = reached;
+            slopes(trial, p, size, D);
+            step(D, e, fmax(reached, 1e-7), g);
+            for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
+                trial[i] -= (slides[i] ? size : 1.0) * g[i];
+            }
+            reached = distance(trial, p, M, size, e);
+            nearer = reached < before;
+        }
         if (reached < left) {
             for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
                 q[i] = trial[i];
@@ -523,6 +534,7 @@ KINSYM_FN static double polish(double q[STANFORD_SCREW_JOINTS], const stanford_s
 }
 
 /* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
+ * A slide that was divided by next to nothing lies far off; in the last start it is no longer than the arm.
  * Where two borders cross the distance is stationary, and a second start lies beside it. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
@@ -544,6 +556,18 @@ KINSYM_FN static int settle(double q[][STANFORD_SCREW_JOINTS], stanford_screw_ma
         for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
             other[i] = start[i] + beside * (slides[i] ? unit : 1.0) * cos(1.0 + i);
         }
+        const double reached = polish(other, p, M, unit);
+        for (int i = 0; i < STANFORD_SCREW_JOINTS && reached < left; ++i) {
+            q[0][i] = other[i];
+        }
+        left = fmin(left, reached);
+    }
+    int far = 0;
+    for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
+        other[i] = slides[i] ? fmin(fmax(start[i], -unit), unit) : start[i];
+        far = far || other[i] != start[i];
+    }
+    if (far && left > reach) {
         const double reached = polish(other, p, M, unit);
         for (int i = 0; i < STANFORD_SCREW_JOINTS && reached < left; ++i) {
             q[0][i] = other[i];

@@ -1803,8 +1803,9 @@ KINSYM_FN static double closure(const arm *a, const joint_value q[6], double err
 }
 
 /* Solves J step = error, J by columns, by complete pivoting; what a singular matrix does not determine is left
- * 0. */
-KINSYM_FN static void solve_linearised(double J[36], double error[6], double step[6])
+ * 0. A pivot may be very small: next to a singular posture the pose is as near to those that are out of reach, and
+ * the step goes far. Returns the length of the step. */
+KINSYM_FN static double solve_linearised(double J[36], double error[6], double step[6])
 {
     int order[6] = {0, 1, 2, 3, 4, 5}, rank = 6;
     double first = 0.0;
@@ -1821,7 +1822,7 @@ KINSYM_FN static void solve_linearised(double J[36], double error[6], double ste
             }
         }
         first = k == 0 ? largest : first;
-        if (!(largest > 1e-9 * first)) {
+        if (!(largest > 1e-13 * first)) {
             rank = k;
             break;
         }
@@ -1851,7 +1852,7 @@ KINSYM_FN static void solve_linearised(double J[36], double error[6], double ste
             }
         }
     }
-    double solved[6] = {0.0};
+    double solved[6] = {0.0}, sum_of_squares = 0.0;
     for (int k = rank - 1; k >= 0; --k) {
         double sum = error[k];
         for (int j = k + 1; j < rank; ++j) {
@@ -1861,6 +1862,20 @@ KINSYM_FN static void solve_linearised(double J[36], double error[6], double ste
     }
     for (int k = 0; k < 6; ++k) {
         step[order[k]] = solved[k];
+        sum_of_squares += solved[k] * solved[k];
+    }
+    return sqrt(sum_of_squares);
+}
+
+/* Moves the joint values q by a step of length norm, by 0.5 at most. */
+KINSYM_FN static void advance(joint_value q[6], const double step[6], double norm)
+{
+    const double factor = norm > 0.5 ? 0.5 / norm : 1.0;
+    for (int k = 0; k < 6; ++k) {
+        const double c = cos(factor * step[k]), s = sin(factor * step[k]);
+        const joint_value old = q[k];
+        q[k].c = sliding[k] ? old.c + factor * step[k] : c * old.c - s * old.s;
+        q[k].s = sliding[k] ? 0.0 : s * old.c + c * old.s;
     }
 }
 
@@ -1875,7 +1890,7 @@ KINSYM_FN static double polish(const arm *a, joint_value q[6], double x[6])
         kept[k] = q[k];
     }
     for (int round = 0; round <= 10; ++round) {
-        double error[6], J[36], step[6], norm = 0.0;
+        double error[6], J[36], step[6];
         const double off = closure(a, q, error, J);
         if (!(off < 1e9) || (round >= 4 && off > 0.1) || (round >= 7 && off > 1e-3)) {
             break;
@@ -1891,24 +1906,14 @@ KINSYM_FN static double polish(const arm *a, joint_value q[6], double x[6])
         if (best < 2e-15 || stalled || round == 10) {
             break;
         }
-        solve_linearised(J, error, step);
-        for (int k = 0; k < 6; ++k) {
-            norm += step[k] * step[k];
-        }
-        norm = sqrt(norm);
+        const double norm = solve_linearised(J, error, step);
         if (norm < 1e-8 && off == best && off < 0.1 * a->tolerance) {
             for (int k = 0; k < 6; ++k) {
                 after[k] = step[k];
             }
             break;
         }
-        const double factor = norm > 0.5 ? 0.5 / norm : 1.0;
-        for (int k = 0; k < 6; ++k) {
-            const double c = cos(factor * step[k]), s = sin(factor * step[k]);
-            const joint_value old = q[k];
-            q[k].c = sliding[k] ? old.c + factor * step[k] : c * old.c - s * old.s;
-            q[k].s = sliding[k] ? 0.0 : s * old.c + c * old.s;
-        }
+        advance(q, step, norm);
     }
     for (int k = 0; k < 6; ++k) {
         x[k] = sliding[k] ? kept[k].c + after[k] : wrap(atan2(kept[k].s, kept[k].c) + after[k]);
@@ -2024,17 +2029,66 @@ KINSYM_FN static int crowded(const cut *way, const solutions *all)
     return 0;
 }
 
-/* Solves one cut and adds what is new to the solutions. Returns whether the result looks incomplete: an odd
- * number of solutions, a root that owns none, a twofold one that owns fewer than two (two pairs with the border). */
+/* Where the starts of the descent lie: each joint's share of its range is the fraction of a multiple of these, which
+ * fills the range evenly. */
+static KINSYM_DATA const double strides[6] = {
+    0.414214, 0.732051, 0.236068, 0.645751, 0.316625, 0.605551,
+};
+
+/* Solutions found without the determinant, which says nothing where it vanishes for every angle: at a pose that a
+ * whole curve of joint vectors reaches. Least squares, damped by the distance that is left, lead from starts all over
+ * the range to the curve. */
+KINSYM_FN static void descend(const arm *a, solutions *all)
+{
+    for (int start = 1; start <= 32; ++start) {
+        joint_value q[6];
+        double error[6], J[36], x[6];
+        for (int k = 0; k < 6; ++k) {
+            const double share = 2.0 * (start * strides[k] - floor(start * strides[k])) - 1.0;
+            q[k].c = sliding[k] ? 2.0 * share : cos(0.5 * turn * share);
+            q[k].s = sliding[k] ? 0.0 : sin(0.5 * turn * share);
+        }
+        double off = closure(a, q, error, J);
+        for (int round = 0; round < 60 && off > 1e-3; ++round) {
+            double normal[36], slope[6], step[6], damping = 0.0;
+            for (int k = 0; k < 6; ++k) {
+                damping += 0.1 * error[k] * error[k];
+            }
+            for (int j = 0; j < 6; ++j) {
+                slope[j] = 0.0;
+                for (int i = 0; i < 6; ++i) {
+                    normal[6 * j + i] = i == j ? damping : 0.0;
+                    slope[j] += J[6 * j + i] * error[i];
+                    for (int k = 0; k < 6; ++k) {
+                        normal[6 * j + i] += J[6 * j + k] * J[6 * i + k];
+                    }
+                }
+            }
+            advance(q, step, solve_linearised(normal, slope, step));
+            off = closure(a, q, error, J);
+        }
+        off = off > 1e-3 ? off : polish(a, q, x);
+        if (off < a->tolerance) {
+            keep(a, all, x, off);
+        }
+    }
+}
+
+/* What a cut tells: all solutions, perhaps not all, or nothing, as its determinant vanishes at every angle. */
+enum { COMPLETE, IN_DOUBT, SILENT };
+
+/* Solves one cut and adds what is new to the solutions. In doubt is an odd number of solutions, a root that owns
+ * none, a twofold one that owns fewer than two (two pairs with the border). */
 KINSYM_FN static int eliminate(const cut *way, const arm *a, solutions *all)
 {
     equations e;
     pencil f;
     roots found;
     if (!prepare(way, a, &e, &f)) {
-        return 1;
+        return SILENT;
     }
-    int alarm = !find_roots(&f, way->bordered, &found);
+    const int silent = !find_roots(&f, way->bordered, &found);
+    int alarm = 0;
     for (int i = 0; i < found.count; ++i) {
         root *r = &found.item[i];
         joint_value q[CANDIDATES][6];
@@ -2050,7 +2104,10 @@ KINSYM_FN static int eliminate(const cut *way, const arm *a, solutions *all)
         }
         alarm = alarm || (r->twofold && owned < (way->bordered ? 4 : 2));
     }
-    return alarm || all->count % 2 == 1 || unowned(way, &found, all) || crowded(way, all);
+    if (silent) {
+        return SILENT;
+    }
+    return alarm || all->count % 2 == 1 || unowned(way, &found, all) || crowded(way, all) ? IN_DOUBT : COMPLETE;
 }
 
 /* The arm with a loop that closes beside the pose, by a twist about and along axes that mean nothing to any
@@ -2067,14 +2124,17 @@ KINSYM_FN static void move_beside(const arm *a, double size, arm *beside)
 }
 
 /* The best cut; the second where the first is in doubt; and where the doubt remains, starts from the solutions
- * of poses beside this one, nearer ones if there are none. */
+ * of poses beside this one, nearer ones if there are none; at last, where no cut tells anything, from anywhere. */
 KINSYM_FN static void find_solutions(const cut *ways, int count, const arm *a, solutions *all)
 {
+    int silent = 1;
     all->count = 0;
     for (int i = 0; i < count; ++i) {
-        if (!eliminate(&ways[i], a, all)) {
+        const int told = eliminate(&ways[i], a, all);
+        if (told == COMPLETE) {
             return;
         }
+        silent = silent && told == SILENT;
     }
     for (double size = 1e-3; size > 1e-7 && (size == 1e-3 || all->count == 0); size *= 0.03) {
         arm beside;
@@ -2082,6 +2142,9 @@ KINSYM_FN static void find_solutions(const cut *ways, int count, const arm *a, s
         for (int i = 0; i < count; ++i) {
             eliminate(&ways[i], &beside, all);
         }
+    }
+    if (silent && all->count == 0) {
+        descend(a, all);
     }
 }
 

@@ -580,7 +580,8 @@ KINSYM_FN static void step(double D[ENTRIES][UR5_JOINTS], const double e[ENTRIES
 }
 
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
- * Jacobian loses rank. Returns the distance. */
+ * Jacobian loses rank. What the pose hardly feels is a motion along a curve, which a long step leaves: steps that are
+ * damped too much for that motion lead back, before the step is judged. Returns the distance. */
 KINSYM_FN static double polish(double q[UR5_JOINTS], const ur5_params *p, const double M[12], double size)
 {
     double e[ENTRIES], D[ENTRIES][UR5_JOINTS], g[UR5_JOINTS], trial[UR5_JOINTS];
@@ -591,7 +592,17 @@ KINSYM_FN static double polish(double q[UR5_JOINTS], const ur5_params *p, const 
         for (int i = 0; i < UR5_JOINTS; ++i) {
             trial[i] = q[i] - g[i];
         }
-        const double reached = distance(trial, p, M, size, e);
+        double reached = distance(trial, p, M, size, e);
+        for (int back = 0, nearer = 1; back < 4 && nearer && reached >= left; ++back) {
+            const double before = reached;
+            slopes(trial, p, size, D);
+            step(D, e, fmax(reached, 1e-7), g);
+            for (int i = 0; i < UR5_JOINTS; ++i) {
+                trial[i] -= g[i];
+            }
+            reached = distance(trial, p, M, size, e);
+            nearer = reached < before;
+        }
         if (reached < left) {
             for (int i = 0; i < UR5_JOINTS; ++i) {
                 q[i] = trial[i];

@@ -9,7 +9,7 @@ from __future__ import annotations
 from kinsym.check.linear import Matrix, Value, Vector
 from kinsym.check.newton import Newton
 
-STARTS, PASSES = 12, 40
+STARTS, PASSES = 32, 60
 NEAR = 1e-3
 #: From start to start, in radians and units of the arm's: nothing that repeats itself.
 STRIDES = (2.3, 1.1, 2.9, 1.9, 0.7, 2.6)

@@ -40,7 +40,7 @@ from kinsym.check.poses import (
     held_samples,
     lengths_of,
 )
-from kinsym.check.questions import Questions
+from kinsym.check.questions import Questions, asked
 from kinsym.check.shapes import hold_shapes
 from kinsym.check.single import FINENESS, SinglePrecision, SingleSolver
 from kinsym.check.singular import volume_of
@@ -72,7 +72,6 @@ NOISE_POSES = 60
 SET_POSES = 40
 #: Known to so few digits nearly every root is made sure of.
 ROUGH, ROUGH_POSES = 2e-7, 24
-MARKED_POSES, SPECIAL_POSES = 12, 36
 #: A closed form must call a pose singular where the least singular value is so small a share of the largest, and the
 #: next one so large that rounding is seldom made larger than the tolerance on its way to the step that finds it.
 LAST_DIGITS, FIRM = 3e-15, 0.02
@@ -252,14 +251,9 @@ class Examination:
 
     @cached_property
     def _questions(self) -> Questions:
-        """Ordinary poses and those nearest to singular ones, for what is asked of one pose at a time."""
-        ordinary, special = (1, 4) if self.schedule.general else (MARKED_POSES, SPECIAL_POSES)
-        uniform = self.samples.of(UNIFORM)
-        near = np.where(self.samples.of(QUARTER, SINGULAR), self.samples.offset, np.inf)
-        rows = np.concatenate([np.flatnonzero(uniform)[:ordinary], np.argsort(near, kind="stable")[:special]])
-        return Questions(
-            schedule=self.schedule, judge=self.judge, poses=self.poses[rows], q=self.q[rows], plain=uniform[rows]
-        )
+        """What is asked of one pose at a time."""
+        rows, plain = asked(self.samples, general=self.schedule.general is not None)
+        return Questions(schedule=self.schedule, judge=self.judge, poses=self.poses[rows], q=self.q[rows], plain=plain)
 
     @cached_property
     def _edges(self) -> Edges:

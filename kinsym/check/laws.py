@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinsym.check.curve import Curve
 from kinsym.check.poses import wrapped
 from kinsym.check.solvers import Solutions
 from kinsym.check.task import closure
@@ -51,8 +52,8 @@ class Judge:
     def joined(self, start: Floats, end: Floats, poses: Floats, *, one_is_enough: bool = False) -> Mask:
         """Whether ways from (m, S, n) to (m, 1 or S, n) stay on the poses: (m, S).
 
-        Straight lines are tried first. With ``one_is_enough`` the search for curves is left out in rows that have
-        a straight line.
+        Straight lines are tried first, then the nearest way, then the whole curve on which the pose hardly changes.
+        With ``one_is_enough`` the search is over in rows that have a way.
         """
         limit = self.path + 4 * self.tau
         with np.errstate(invalid="ignore"):
@@ -64,8 +65,14 @@ class Judge:
             open_ &= ~straight.any(axis=1, keepdims=True)
         if open_.any():
             rows = np.nonzero(open_)[0]
-            traced = Tracer(self.kinematics, self.task, limit).joined(start[open_], way[open_], poses[rows])
-            straight[open_] = traced
+            tracer = Tracer(self.kinematics, self.task, limit)
+            straight[open_] = tracer.joined(start[open_], way[open_], poses[rows])
+        open_ &= ~straight
+        if one_is_enough:
+            open_ &= ~straight.any(axis=1, keepdims=True)
+        if open_.any():
+            rows = np.nonzero(open_)[0]
+            straight[open_] = Curve(tracer, self.revolute).joined(start[open_], (start + way)[open_], poses[rows])
         return straight
 
     def found(self, solutions: Floats, known: Floats, poses: Floats) -> Mask:

@@ -16,6 +16,9 @@ Line = Sequence[Value]
 #: Halvings of an interval before Newton's steps: to 1e-18 of it, far less than roots that are not merged lie apart.
 HALVINGS = 60
 
+#: Vectors shorter than so many tolerances turn while a merged root moves within its tolerance.
+BRIEF = 1000
+
 _SIGNS = (1, 1, -1, -1)
 
 
@@ -28,19 +31,25 @@ class _Form(NamedTuple):
 
 
 class _Knot(NamedTuple):
-    """An end of an interval without a turning point: what a root there is marked with, NONE if it is no root."""
+    """An end of an interval without a turning point: what a root there is marked with, NONE if it is no root.
+
+    ``apart`` is how far from a root that stays one its value is as large as the tolerance, if the vectors are short.
+    """
 
     u: Value
     mark: Mark
     soft: bool
+    apart: Value = 0
 
 
 def quartic(ctx: Any, given: Inputs, free: Value, loose: bool) -> list[tuple[Root, Mark]]:
     """|(X, Y)| = |(K, L)| for four lines p c + q s + r: the roots in increasing angle, those that meet as one.
 
-    It is stated twice; roots meet if they do so for the lengths in both. In u = tan((angle - turn)/2) the
-    difference of the squares is a polynomial whose leading coefficient is its value at turn + pi. Its minima above
-    zero and its maxima below are roots in doubt where they come near to zero; the minima anywhere if loose.
+    It is stated twice; roots meet if they do so for the lengths in both. Where they meet and the vectors are so short
+    that they turn within the tolerance, the ends of what the tolerance merges are roots in doubt. In
+    u = tan((angle - turn)/2) the difference of the squares is a polynomial whose leading coefficient is its value at
+    turn + pi. Its minima above zero and its maxima below are roots in doubt where they come near to zero; the minima
+    anywhere if loose.
     """
     stated = [[[given[name + end + form] for end in ("c", "s", "")] for name in "xykl"] for form in ("", "2")]
     tolerances = (given["t"], given["t2"])
@@ -96,25 +105,52 @@ def _knots(ctx: Any, polynomial: Sequence[Value], forms: Sequence[_Form], loose:
             mark = Mark.BORDER | Mark.DOUBTFUL
         else:
             mark = NONE
-        knots.append(_Knot(u, mark, soft))
+        knots.append(_Knot(u, mark, soft, _apart(ctx, polynomial, forms, u) if mark == Mark.BORDER else 0))
     return knots
+
+
+def _apart(ctx: Any, polynomial: Sequence[Value], forms: Sequence[_Form], u: Value) -> Value:
+    """How far from a turning point the value has changed by the tolerance; 0 if no vector is short.
+
+    It is 0 as well where more than two roots meet, which the curvature says nothing of.
+    """
+    bands, brief = [], False
+    for form in forms:
+        width, length = form.tolerance * (1 + u * u), 2 * _length(ctx, form, u)
+        bands.append(width * (length + width) / form.lead)
+        brief = brief or length <= BRIEF * width
+    bend = abs(_horner(_slope(_slope(polynomial)), u) / (2 * polynomial[-1]))
+    if not (brief and bend):
+        return 0
+    apart = ctx.sqrt(min(bands) / bend)
+    ends = (abs(_horner(polynomial, u + side * apart) / polynomial[-1]) for side in (-1, 1))
+    return apart if max(ends) <= 4 * min(bands) else 0
+
+
+def _length(ctx: Any, form: _Form, u: Value) -> Value:
+    """The length of the second vector."""
+    return ctx.sqrt(sum(_horner(line, u) ** 2 for line in form.lines[2:]))
 
 
 def _touches(ctx: Any, form: _Form, u: Value, value: Value, tolerances: int) -> bool:
     """Whether a value is zero as far as a change of the lengths by so many tolerances can tell."""
     width = tolerances * form.tolerance * (1 + u * u)
-    reach = ctx.sqrt(sum(_horner(line, u) ** 2 for line in form.lines[2:]))
-    return bool(abs(value) * form.lead <= width * (2 * reach + width))
+    return bool(abs(value) * form.lead <= width * (2 * _length(ctx, form, u) + width))
 
 
 def _real_points(
     ctx: Any, polynomial: Sequence[Value], knots: Sequence[_Knot], bound: Value
 ) -> list[tuple[Value, Mark]]:
-    """The roots in u: each run of turning points that are roots is one, in its middle; the others lie between."""
+    """The roots in u: each run of turning points that are roots is one, in its middle; the others lie between.
+
+    A turning point alone may stand for both ends of what the tolerance merges.
+    """
     found = []
     for touching, group in groupby(knots, key=lambda knot: knot.mark != NONE):
         run = list(group)
-        if touching:
+        if touching and len(run) == 1 and run[0].apart:
+            found += [(run[0].u + side * run[0].apart, Mark.SOFT | Mark.DOUBTFUL) for side in (-1, 1)]
+        elif touching:
             doubt = Mark.DOUBTFUL if any(Mark.DOUBTFUL in knot.mark for knot in run) else NONE
             found.append(((run[0].u + run[-1].u) / 2, Mark.BORDER | doubt))
     for low, high in pairwise([_Knot(-bound, NONE, False), *knots, _Knot(bound, NONE, False)]):

@@ -9,9 +9,11 @@ import numpy as np
 
 from kinsym.check.control import WORSE
 from kinsym.check.laws import SAME, Judge
+from kinsym.check.poses import QUARTER, SINGULAR, UNIFORM, Samples
 from kinsym.check.solvers import Floats
 from kinsym.emit.schedule import Schedule
 
+ORDINARY_POSES, SPECIAL_POSES = 12, 36
 WINDING_POSES, SLOW_POSES = 6, 1
 
 
@@ -56,3 +58,21 @@ class Questions:
     def places(self) -> range:
         """The joints of which a value is made wrong."""
         return range(1 if self.schedule.general else self.q.shape[1])
+
+
+def asked(samples: Samples, *, general: bool) -> tuple[Any, Any]:
+    """The rows (m,) of samples that are asked for one at a time, and which of them are ordinary (m,).
+
+    Half of the others are the singular ones and those nearest to them, half lie at all distances from these.
+    """
+    near = np.flatnonzero(samples.of(QUARTER, SINGULAR))
+    near = near[np.argsort(samples.offset[near], kind="stable")]
+    ordinary, half = np.flatnonzero(samples.of(UNIFORM)), SPECIAL_POSES // 2
+    if general:
+        # one pose takes it long, and next to singular ones its last digits depend on how many are asked at once
+        ordinary, near = ordinary[:1], near[:4]
+    elif len(near) > SPECIAL_POSES:
+        # marks end somewhere between the nearest and the farthest
+        near = np.concatenate([near[:half], near[half :: (len(near) - half) // half][:half]])
+    rows = np.concatenate([ordinary[:ORDINARY_POSES], near])
+    return rows, np.arange(len(rows)) < len(rows) - len(near)

@@ -36,6 +36,11 @@ PASSES = 40
 #: Half the digits: what the normal equations, which square the damping, can still tell.
 NEAREST = 1e-25
 LEAST_DAMPING = 1e-20
+#: The least damping of steps that lead back onto the curve along which the pose hardly feels a motion, and how many.
+STEADY = 1e-7
+BACK = 4
+#: Slides that are drawn out so far, in sizes of the arm, leave doubles no digits for the rest: nothing is reached.
+FAR = 1e9
 #: So many passes in a row that gain less than this share of the distance have met a least one that is not zero. Few
 #: are too few: where the Jacobian nearly loses rank the damping falls from pass to pass before anything is gained.
 IDLE = 10
@@ -123,7 +128,9 @@ class Settler:
         Where two borders cross the distance is stationary, and only a start beside it gets away. A slide that was
         divided by next to nothing is far off; in the last start no slide is longer than the arm.
         """
-        ctx = self._ctx
+        ctx, inside = self._ctx, self._drawn_in(start, goal)
+        if any(abs(a - b) > FAR * goal.size for a, b in zip(start, inside, strict=True)):
+            return self._polish(inside, goal)
         best, least = self._polish(start, goal)
         for trial in range(1, STARTS):
             if least <= goal.reach:
@@ -133,7 +140,6 @@ class Settler:
             q, left = self._polish(self._moved(start, away, goal), goal)
             if left < least:
                 best, least = q, left
-        inside = self._drawn_in(start, goal)
         if least > goal.reach and inside != start:
             q, left = self._polish(inside, goal)
             if left < least:
@@ -159,9 +165,7 @@ class Settler:
                 break
             damping = max(left * caution, ctx.mpf(LEAST_DAMPING))
             slopes = slopes or self._slopes(q, pose, goal)
-            trial = self._moved(q, self._step(slopes, errors, damping), goal)
-            there = self._forward(trial)
-            missed = self._differences(there, goal)
+            trial, there, missed = self._led_back(self._moved(q, self._step(slopes, errors, damping), goal), left, goal)
             reached = self._distance(missed)
             idle = 0 if left - reached > LEAST_GAIN * left else idle + 1
             if reached < left:
@@ -169,6 +173,28 @@ class Settler:
             else:
                 caution *= 10
         return q, left
+
+    def _led_back(self, q: Vector, left: Value, goal: Goal) -> tuple[Vector, Matrix, Vector]:
+        """A vector, its pose and what that misses, brought nearer than ``left`` if it can be.
+
+        The damping leaves alone what the pose hardly feels: a long step in that direction leaves the curve on which
+        the pose stays, and is judged by where it leads on the curve.
+        """
+        there = self._forward(q)
+        missed = self._differences(there, goal)
+        reached = self._distance(missed)
+        for _ in range(BACK):
+            if reached < left:
+                break
+            step = self._step(self._slopes(q, there, goal), missed, max(reached, self._ctx.mpf(STEADY)))
+            nearer = self._moved(q, step, goal)
+            pose = self._forward(nearer)
+            differences = self._differences(pose, goal)
+            before, reached = reached, self._distance(differences)
+            if reached >= before:
+                break
+            q, there, missed = nearer, pose, differences
+        return q, there, missed
 
     def _moved(self, q: Vector, step: Vector, goal: Goal) -> Vector:
         """``q`` and a step whose lengths are in sizes of the arm."""

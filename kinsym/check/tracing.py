@@ -42,7 +42,7 @@ class Tracer:
     def joined(self, start: Floats, way: Floats, poses: Floats) -> NDArray[np.bool_]:
         """Whether (k, n) joint vectors are joined to ``start + way`` on the poses (k, 4, 4)."""
         end, here = start + way, start
-        fine = self._on(start, poses) & self._on(end, poses)
+        fine = self.on_pose(start, poses) & self.on_pose(end, poses)
         for _ in range(self.steps):
             left = np.linalg.norm(end - here, axis=-1)
             active = fine & (left > ARRIVED)
@@ -53,28 +53,30 @@ class Tracer:
             here = here.copy()
             here[active] = moved
             fine = fine.copy()
-            fine[active] = nearer & self._on(moved, poses[active])
+            fine[active] = nearer & self.on_pose(moved, poses[active])
         for t in POINTS:
-            fine = fine & self._on(here + t * (end - here), poses)
+            fine = fine & self.on_pose(here + t * (end - here), poses)
         return np.asarray(fine & (np.linalg.norm(end - here, axis=-1) <= ARRIVED))
 
-    def _on(self, q: Floats, poses: Floats) -> NDArray[np.bool_]:
+    def on_pose(self, q: Floats, poses: Floats) -> NDArray[np.bool_]:
+        """Whether (k, n) joint vectors are on the poses (k, 4, 4) within the limit."""
         reached = self.kinematics.forward(q)
         return np.asarray(closure(reached, poses, self.task, self.kinematics.size) <= self.limit)
 
-    def _slope(self, q: Floats) -> tuple[Floats, Floats]:
+    def slope(self, q: Floats) -> tuple[Floats, Floats]:
+        """The poses (k, 4, 4) of joint vectors (k, n) and the derivatives (k, entries, n) of what the task asks for."""
         reached = self.kinematics.forward(q)
         return reached, task_jacobian(self.kinematics.jacobian(q), reached, self.task, self.kinematics.size)
 
     def _stepped(self, q: Floats, end: Floats, poses: Floats) -> Floats:
         """One step towards ``end`` along what the pose hardly feels, and back onto the pose."""
-        _, slope = self._slope(q)
+        _, slope = self.slope(q)
         towards = (end - q)[..., None]
         along = (towards - np.linalg.pinv(slope, rcond=SOFT) @ (slope @ towards))[..., 0]
         length = np.linalg.norm(along, axis=-1, keepdims=True)
         q = q + along * np.minimum(1.0, self.step / np.maximum(length, self.step))
         for _ in range(CORRECTIONS):
-            reached, slope = self._slope(q)
+            reached, slope = self.slope(q)
             error = residual(reached, poses, self.task, self.kinematics.size)[..., None]
             q = q - (np.linalg.pinv(slope, rcond=SOFT) @ error)[..., 0]
         return q

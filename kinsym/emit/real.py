@@ -33,6 +33,7 @@ class Real:
     bottom              by how much the last row of a pose may be off.
     farthest            positions from here on are refused: their squares would overflow in later steps.
     polished, damping   the distance at which a root is not polished on, and the least damping of a step.
+    steady              the least damping of steps that leave alone what the pose hardly feels.
     in_doubt, reached   how near to its pose a root in doubt and any other solution must come, in units of the arm.
     alike_in_doubt, alike
                         how near to another solution a polished one, in doubt or not, counts as its copy.
@@ -66,6 +67,7 @@ class Real:
     farthest: str
     polished: str
     damping: str
+    steady: str
     in_doubt: str
     reached: str
     alike_in_doubt: str
@@ -115,6 +117,7 @@ DOUBLE = Real(
     farthest="1e150",
     polished="1e-15",
     damping="1e-14",
+    steady="1e-7",
     in_doubt="1e-12",
     reached="1e-9",
     alike_in_doubt="1e-3",
@@ -167,6 +170,7 @@ SINGLE = Real(
     farthest="1e15",
     polished="5e-7",
     damping="5e-6",
+    steady="2e-3",
     in_doubt="1e-4",
     reached="1e-4",
     alike_in_doubt="0.03",

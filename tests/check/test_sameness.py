@@ -8,15 +8,18 @@ import numpy as np
 import pytest
 
 from kinsym.check.laws import PATH, Judge
-from kinsym.check.poses import PAIR, QUARTER, SINGULAR, UNIFORM, Counts, generator, samples
+from kinsym.check.poses import PAIR, QUARTER, SINGULAR, UNIFORM, Counts, generator, samples, wrapped
 from kinsym.check.singular import volume_of
 from kinsym.check.solvers import Floats
 from kinsym.check.task import task_jacobian
+from kinsym.check.tracing import Tracer
 from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.derivation import Derivation
 from kinsym.deriving import derive
 from kinsym.emit.program import build_schedule
 from kinsym.robot import load
+from tests.benchmarks.coverage.arms import arm
+from tests.benchmarks.coverage.measure import parameters
 
 
 def judge_of(name: str) -> tuple[Derivation, Judge]:
@@ -68,6 +71,44 @@ def test_a_curved_way_is_found() -> None:
     assert count[0] > 0
     assert not np.isclose(elsewhere[0, : count[0], 1], 0.9).any()
     assert judge.found(elsewhere, known[None], pose).all()
+
+
+#: Made-up arms whose axes 2, 3 and 4 are parallel, and axis 6 to 2e-13: four links that move and hardly move the tool.
+FOUR_BARS = {
+    40: (
+        [-1.3382930065712946, -2.9323310444987327, 2.3955104431548215, -1.5067795527363632, 2.6e-13, 2.979961246025891],
+        [
+            -1.3382930065714251,
+            2.0645848003705844,
+            -0.45503539693047373,
+            -3.1227275482324006,
+            2.4e-13,
+            2.4495392367379063,
+        ],
+    ),
+    47: (
+        [0.12849518074179356, -3.109391834571499, 1.5757445073862293, -0.7402063333501905, 3.2e-13, 0.7277436909441077],
+        [0.1284951807419065, -1.8975531432887653, -1.162641965863369, 1.4528566037192832, 2.4e-13, 0.06122853584150714],
+    ),
+}
+
+
+@pytest.mark.parametrize(("number", "one_curve"), [(40, True), (47, False)])
+def test_a_way_round_the_curve_is_found_and_none_to_another_curve(number: int, one_curve: bool) -> None:
+    """The way may begin in the direction that leads away from its end. Four bars can have two curves."""
+    robot = arm("three axes parallel, 2-4", number, seed=1)
+    schedule = build_schedule(derive(robot))
+    judge = Judge(
+        TreeKinematics(schedule, parameters(robot)), schedule.task, np.ones(6, dtype=bool), float(schedule.tau)
+    )
+    start, end = FOUR_BARS[number]
+    pose = judge.kinematics.forward(np.array([end]))
+    assert float(judge.closures(np.array([[start]]), pose)[0, 0]) < PATH
+    nearest_way = Tracer(judge.kinematics, schedule.task, PATH + 4 * judge.tau)
+    way = wrapped(np.array([end]) - np.array([start]), judge.revolute)
+    assert not nearest_way.joined(np.array([start]), way, pose).any()
+    assert joined(judge, start, end) == one_curve
+    assert joined(judge, end, start) == one_curve
 
 
 @pytest.mark.parametrize("name", ["ur5", "scara", "elbow_rrr"])

@@ -16,13 +16,15 @@ from kinsym.robot import from_inline
 from tests.emit.built import CLibrary, needs_compiler
 from tests.general.arms import joint_vectors, run
 
-#: Made-up arms of five joints in Paul's convention, asked for a point and the z axis. With theta4 = 0 ("bent") or
-#: theta3 + theta4 = 0 ("straight") joints with parallel axes move and leave the tool where it is.
+#: Made-up arms in Paul's convention; those of five joints are asked for a point and the z axis. With theta4 = 0, or
+#: theta3 + theta4 = 0 ("straight"), joints with parallel axes move and leave the tool where it is.
 TABLES = {
     "bent": "pi/2 0.185 0.338 theta1; pi/2 -0.074 d2 pi/2; -pi/2 0.556 0.067 theta3; "
     "-pi/2 0.234 0.265 theta4; 0 -0.074 0.311 theta5",
     "straight": "pi/2 0.429 d1 0; pi/2 0.205 0 theta2; 0 0.364 -0.339 theta3; "
     "pi/2 -0.44 0.356 theta4; 0 0.065 0 theta5",
+    "plane": "pi/2 0 0.113 theta1; 0 0.301 0.539 theta2; pi/2 0 0 theta3; "
+    "-pi/2 0.584 0.446 theta4; -pi/2 0 0 theta5; 0 -0.405 d6 pi/2",
 }
 
 
@@ -38,12 +40,12 @@ def vectors(name: str, count: int) -> np.ndarray:
     """Joint vectors on such curves, and 1e-5 to 1e-15 beside."""
     q = joint_vectors(run(schedule(name)), count, seed=6)
     beside = np.resize([0.0, *10.0 ** -np.arange(5.0, 16.0)], count)
-    q[:, 3] = beside if name == "bent" else beside - q[:, 2]
+    q[:, 3] = beside - q[:, 2] if name == "straight" else beside
     return q
 
 
 def closures(name: str, q: np.ndarray, solutions: np.ndarray) -> np.ndarray:
-    """How far the solutions (N, S, 5) are from the poses of q (N, 5), (N, S); NaN where there is none."""
+    """How far the solutions (N, S, n) are from the poses of q (N, n), (N, S); NaN where there is none."""
     arm = run(schedule(name))
     gap = arm.fk(np.nan_to_num(solutions)) - arm.fk(q)[:, None]
     return np.where(np.isnan(solutions[..., 0]), np.nan, np.abs(gap[..., :3, 2:]).max(axis=(-1, -2)))

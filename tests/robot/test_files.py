@@ -281,10 +281,10 @@ def test_a_turned_tool_is_read_back(rpy: list[object]) -> None:
 
 
 def test_angles_of_too_many_roots() -> None:
-    start = time.perf_counter()
+    start = time.process_time()
     with pytest.raises(RobotError, match=r"\[tool\] rpy: the sines and cosines of these angles have too many roots"):
         build(changed(ARM, "tool", to={"rpy": ["deg(1.5)"] * 3}))
-    assert time.perf_counter() - start < 2
+    assert time.process_time() - start < 3
 
 
 def test_a_bound_angle_is_made_exact_as_well() -> None:
