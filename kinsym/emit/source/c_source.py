@@ -90,7 +90,7 @@ def c_names(schedule: Schedule, core: Core = FILES) -> dict[str, Any]:
         "schedule": schedule,
         "complete": all(parameter.value is not None for parameter in schedule.parameters),
         "fields": [*(parameter.name for parameter in schedule.parameters), *schedule.inputs],
-        "heads": _heads(schedule, core, marking["ending"], inverse.marked, ending["word"]),
+        "heads": _heads(schedule, core, marking, inverse.marked, ending["word"]),
         "usable": _usable(schedule),
         "banner": [c_comment(line) for line in banner(schedule, shared=True)],
         **regular_names(schedule, printer),
@@ -192,12 +192,13 @@ def comment(text: str, depth: int) -> str:
     return "\n".join([f"{indent}/* {first}", *(f"{indent} * {line}" for line in others)]) + " */"
 
 
-def _heads(schedule: Schedule, core: Core, twins: bool, marked: bool, word: str) -> dict[str, Any]:
+def _heads(schedule: Schedule, core: Core, marking: dict[str, Any], marked: bool, word: str) -> dict[str, Any]:
     """The functions as they are declared."""
     public, local = core.public, core.local
     name, joints = schedule.name, f"{schedule.name.upper()}_JOINTS"
     vector, parameters, solutions = f"const double q[{joints}]", f"const {name}_params *p", f"double q[][{joints}]"
-    ending = f"{name}_mark marks[], double alike[], unsigned twin, " if twins else ""
+    ending = "double alike[], " if marking["several"] else ""
+    ending = f"{name}_mark marks[], {ending}unsigned twin, " if marking["ending"] else ending
     size = ", double size" if gate_entries(schedule.task).position else ""
     pose, slopes = f"{parameters}, const double M[12], double size", f"D[ENTRIES][{joints}]"
     sliding = ", double size" if any(joint.kind == "P" for joint in schedule.joints) else ""

@@ -77,6 +77,7 @@ def _common(schedule: Schedule, calls: list[KernelCall], ends: list[tuple[Kernel
     return {
         "marked": calls,
         "ending": bool(ends),
+        "several": bool(calls) and schedule.maximum > 1,
         "sliding": any(joint.kind == "P" for joint in schedule.joints),
         "closure": _closure(schedule),
         "held": [place for place, joint in enumerate(schedule.joints) if joint.name in schedule.locked],
