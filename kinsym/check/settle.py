@@ -187,13 +187,12 @@ class Settler:
             if reached < left:
                 break
             step = self._step(self._slopes(q, there, goal), missed, max(reached, self._ctx.mpf(STEADY)))
-            nearer = self._moved(q, step, goal)
-            pose = self._forward(nearer)
-            differences = self._differences(pose, goal)
-            before, reached = reached, self._distance(differences)
-            if reached >= before:
+            q = self._moved(q, step, goal)
+            there = self._forward(q)
+            missed = self._differences(there, goal)
+            before, reached = reached, self._distance(missed)
+            if reached >= before / 10:
                 break
-            q, there, missed = nearer, pose, differences
         return q, there, missed
 
     def _moved(self, q: Vector, step: Vector, goal: Goal) -> Vector:
