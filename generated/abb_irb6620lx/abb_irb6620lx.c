@@ -535,7 +535,7 @@ KINSYM_FN static double polish(double q[ABB_IRB6620LX_JOINTS], const abb_irb6620
             trial[i] = q[i] - (slides[i] ? size : 1.0) * g[i];
         }
         double reached = distance(trial, p, M, size, e);
-        for (int back = 0, nearer = 1; back < 4 && nearer && reached >= left; ++back) {
+        for (int back = 0, nearer = reached > 2.0 * left; back < 4 && nearer && reached >= left; ++back) {
             const double before = reached;
             slopes(trial, p, size, D);
             step(D, e, fmax(reached, 1e-7), g);
@@ -543,7 +543,7 @@ KINSYM_FN static double polish(double q[ABB_IRB6620LX_JOINTS], const abb_irb6620
                 trial[i] -= (slides[i] ? size : 1.0) * g[i];
             }
             reached = distance(trial, p, M, size, e);
-            nearer = reached < before;
+            nearer = reached < 0.1 * before;
         }
         if (reached < left) {
             for (int i = 0; i < ABB_IRB6620LX_JOINTS; ++i) {

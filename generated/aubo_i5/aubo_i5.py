@@ -813,14 +813,14 @@ def _polish(q, M, size, given):
             break
         trial = _stepped(q[rows], e[rows], np.maximum(left[rows], 1e-14) * caution[rows], size[rows], given)
         differences, reached = _distance(trial, M[rows], size[rows], given)
-        off = np.flatnonzero(reached >= left[rows])
+        off = np.flatnonzero(reached > 2.0 * left[rows])
         for _ in range(4):
             if not off.size:
                 break
             before, at = reached[off], rows[off]
             trial[off] = _stepped(trial[off], differences[off], np.maximum(before, 1e-7), size[at], given)
             differences[off], reached[off] = _distance(trial[off], M[at], size[at], given)
-            off = off[(reached[off] < before) & (reached[off] >= left[at])]
+            off = off[(reached[off] < 0.1 * before) & (reached[off] >= left[at])]
         better = reached < left[rows]
         caution[rows] *= np.where(better, 0.1, 10.0)
         rows = rows[better]

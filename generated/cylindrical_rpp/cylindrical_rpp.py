@@ -519,14 +519,14 @@ def _polish(q, M, size, given):
             break
         trial = _stepped(q[rows], e[rows], np.maximum(left[rows], 1e-14) * caution[rows], size[rows], given)
         differences, reached = _distance(trial, M[rows], size[rows], given)
-        off = np.flatnonzero(reached >= left[rows])
+        off = np.flatnonzero(reached > 2.0 * left[rows])
         for _ in range(4):
             if not off.size:
                 break
             before, at = reached[off], rows[off]
             trial[off] = _stepped(trial[off], differences[off], np.maximum(before, 1e-7), size[at], given)
             differences[off], reached[off] = _distance(trial[off], M[at], size[at], given)
-            off = off[(reached[off] < before) & (reached[off] >= left[at])]
+            off = off[(reached[off] < 0.1 * before) & (reached[off] >= left[at])]
         better = reached < left[rows]
         caution[rows] *= np.where(better, 0.1, 10.0)
         rows = rows[better]
@@ -566,11 +566,24 @@ def _settle(q, valid, mark, free, border, M, tau, size, given):
     q[pose, branch] = np.where(moved[:, None], _wrapped(ends), start)
     valid[pose, branch] = good
     alike[pose, branch] = np.where(doubtful, 1e-3, 1e-6 * moved)
+    _drop_copies(q, valid, alike, scale)
 
 
 def _wrapped(q):
     """Joint vectors with their angles in (-pi, pi]."""
     return np.where(_SLIDES, q, _wrap(q))
+
+
+def _drop_copies(q, valid, alike, size):
+    """Take the solutions out that moved and turned out to be another one, as near as alike tells.
+
+    A solution that did not move stays, and of two that moved the one that moved from a surer root.
+    """
+    for branch in range(MAX_SOLUTIONS):
+        for pose in np.flatnonzero(valid[:, branch] & (alike[:, branch] > 0.0)):
+            others = valid[pose] & ((np.arange(MAX_SOLUTIONS) < branch) | (alike[pose] < alike[pose, branch]))
+            gap = np.abs(_wrapped(q[pose] - q[pose, branch])) / np.where(_SLIDES, size[pose], 1.0)
+            valid[pose, branch] = not (others & (gap <= alike[pose, branch]).all(axis=1)).any()
 
 
 # The marks of a root: its unknown is free; two roots meet in it; it lies so near to one of these that its last digits

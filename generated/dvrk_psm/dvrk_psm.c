@@ -480,7 +480,7 @@ KINSYM_FN static double polish(double q[DVRK_PSM_JOINTS], const dvrk_psm_params 
             trial[i] = q[i] - (slides[i] ? size : 1.0) * g[i];
         }
         double reached = distance(trial, p, M, size, e);
-        for (int back = 0, nearer = 1; back < 4 && nearer && reached >= left; ++back) {
+        for (int back = 0, nearer = reached > 2.0 * left; back < 4 && nearer && reached >= left; ++back) {
             const double before = reached;
             slopes(trial, p, size, D);
             step(D, e, fmax(reached, 1e-7), g);
@@ -488,7 +488,7 @@ KINSYM_FN static double polish(double q[DVRK_PSM_JOINTS], const dvrk_psm_params 
                 trial[i] -= (slides[i] ? size : 1.0) * g[i];
             }
             reached = distance(trial, p, M, size, e);
-            nearer = reached < before;
+            nearer = reached < 0.1 * before;
         }
         if (reached < left) {
             for (int i = 0; i < DVRK_PSM_JOINTS; ++i) {
@@ -507,7 +507,7 @@ KINSYM_FN static double polish(double q[DVRK_PSM_JOINTS], const dvrk_psm_params 
 /* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
  * A slide that was divided by next to nothing lies far off; in the last start it is no longer than the arm.
  * Where two borders cross the distance is stationary, and a second start lies beside it. */
-KINSYM_FN static int settle(double q[][DVRK_PSM_JOINTS], int mark, const dvrk_psm_params *p,
+KINSYM_FN static int settle(double q[][DVRK_PSM_JOINTS], double alike[], int mark, const dvrk_psm_params *p,
     const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[DVRK_PSM_JOINTS], other[DVRK_PSM_JOINTS];
@@ -544,6 +544,7 @@ KINSYM_FN static int settle(double q[][DVRK_PSM_JOINTS], int mark, const dvrk_ps
         left = fmin(left, reached);
     }
     int found = left <= ((mark & IS_DOUBTFUL) ? fmax(1e-12, reach) : fmax(1e-9, reach));
+    alike[0] = (mark & IS_DOUBTFUL) ? 1e-3 : 1e-6;
     for (int k = 0; k < found; ++k) {
         for (int i = 0; i < DVRK_PSM_JOINTS; ++i) {
             q[k][i] = slides[i] ? q[k][i] : wrap(q[k][i]);
@@ -552,12 +553,51 @@ KINSYM_FN static int settle(double q[][DVRK_PSM_JOINTS], int mark, const dvrk_ps
     return found;
 }
 
+/* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
+ * alike tells, and puts the rest in the order of their branches; returns how many are left. */
+KINSYM_FN static int tidied(double q[][DVRK_PSM_JOINTS], dvrk_psm_mark marks[], const double alike[],
+    int count, double size)
+{
+    int kept = 0;
+    for (int i = 0; i < count; ++i) {
+        double moved[DVRK_PSM_JOINTS];
+        const dvrk_psm_mark mark = marks[i];
+        int copy = 0, place = kept;
+        for (int j = 0; j < count && !copy && alike[i] > 0.0; ++j) {
+            copy = j < kept || (j > i && alike[j] < alike[i]);
+            for (int k = 0; k < DVRK_PSM_JOINTS && copy; ++k) {
+                const double gap = q[i][k] - q[j][k];
+                copy = fabs(slides[k] ? gap / (size > 0.0 ? size : 1.0) : wrap(gap)) <= alike[i];
+            }
+        }
+        if (copy) {
+            continue;
+        }
+        for (int k = 0; k < DVRK_PSM_JOINTS; ++k) {
+            moved[k] = q[i][k];
+        }
+        for (; place > 0 && marks[place - 1].branch > mark.branch; --place) {
+            marks[place] = marks[place - 1];
+            for (int k = 0; k < DVRK_PSM_JOINTS; ++k) {
+                q[place][k] = q[place - 1][k];
+            }
+        }
+        marks[place] = mark;
+        for (int k = 0; k < DVRK_PSM_JOINTS; ++k) {
+            q[place][k] = moved[k];
+        }
+        ++kept;
+    }
+    return kept;
+}
+
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
 KINSYM_FN static int settled(double q[][DVRK_PSM_JOINTS], dvrk_psm_mark marks[], const int found[], int count,
     const dvrk_psm_params *p, const double M[12], double tau, double size)
 {
     double given[DVRK_PSM_MAX_SOLUTIONS][DVRK_PSM_JOINTS];
     unsigned branches[DVRK_PSM_MAX_SOLUTIONS];
+    double alike[DVRK_PSM_MAX_SOLUTIONS];
     int kept = 0;
     for (int k = 0; k < count; ++k) {
         branches[k] = marks[k].branch;
@@ -575,12 +615,13 @@ KINSYM_FN static int settled(double q[][DVRK_PSM_JOINTS], dvrk_psm_mark marks[],
         const int mark2 = found[k] >> 4 & 15;
         const int mark3 = found[k] >> 8 & 15;
         const int mark = mark1 | mark2 | mark3;
+        alike[kept] = (mark & IS_DOUBTFUL) ? 1e-3 : 0.0;
         marks[kept].free = (mark1 & IS_FREE ? 32u : 0u) | (mark2 & IS_FREE ? 1u : 0u)
             | (mark3 & IS_FREE ? 2u : 0u);
         marks[kept].border = 0;
-        kept += mark ? settle(q + kept, mark, p, M, tau, size) : all_finite(q[kept]);
+        kept += mark ? settle(q + kept, alike + kept, mark, p, M, tau, size) : all_finite(q[kept]);
     }
-    return kept;
+    return tidied(q, marks, alike, kept, size);
 }
 
 KINSYM_FN int dvrk_psm_ik_marked(const double T[16], const dvrk_psm_params *p,

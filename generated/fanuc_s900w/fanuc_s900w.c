@@ -562,7 +562,7 @@ KINSYM_FN static double polish(double q[FANUC_S900W_JOINTS], const fanuc_s900w_p
             trial[i] = q[i] - g[i];
         }
         double reached = distance(trial, p, M, size, e);
-        for (int back = 0, nearer = 1; back < 4 && nearer && reached >= left; ++back) {
+        for (int back = 0, nearer = reached > 2.0 * left; back < 4 && nearer && reached >= left; ++back) {
             const double before = reached;
             slopes(trial, p, size, D);
             step(D, e, fmax(reached, 1e-7), g);
@@ -570,7 +570,7 @@ KINSYM_FN static double polish(double q[FANUC_S900W_JOINTS], const fanuc_s900w_p
                 trial[i] -= g[i];
             }
             reached = distance(trial, p, M, size, e);
-            nearer = reached < before;
+            nearer = reached < 0.1 * before;
         }
         if (reached < left) {
             for (int i = 0; i < FANUC_S900W_JOINTS; ++i) {

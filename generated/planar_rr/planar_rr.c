@@ -411,7 +411,7 @@ KINSYM_FN static double polish(double q[PLANAR_RR_JOINTS], const planar_rr_param
             trial[i] = q[i] - g[i];
         }
         double reached = distance(trial, p, M, size, e);
-        for (int back = 0, nearer = 1; back < 4 && nearer && reached >= left; ++back) {
+        for (int back = 0, nearer = reached > 2.0 * left; back < 4 && nearer && reached >= left; ++back) {
             const double before = reached;
             slopes(trial, p, size, D);
             step(D, e, fmax(reached, 1e-7), g);
@@ -419,7 +419,7 @@ KINSYM_FN static double polish(double q[PLANAR_RR_JOINTS], const planar_rr_param
                 trial[i] -= g[i];
             }
             reached = distance(trial, p, M, size, e);
-            nearer = reached < before;
+            nearer = reached < 0.1 * before;
         }
         if (reached < left) {
             for (int i = 0; i < PLANAR_RR_JOINTS; ++i) {

@@ -2148,7 +2148,7 @@ static KINSYM_DATA const double strides[6] = {
 
 /* Solutions found without the determinant, which says nothing where it vanishes for every angle: at a pose that a
  * whole curve of joint vectors reaches. Least squares, damped by the distance that is left, lead from starts all over
- * the range to the curve. */
+ * the range to the curve. Of points of it that are near to each other the first is kept. */
 KINSYM_FN static void descend(const arm *a, solutions *all)
 {
     for (int start = 1; start <= 32; ++start) {
@@ -2179,7 +2179,15 @@ KINSYM_FN static void descend(const arm *a, solutions *all)
             off = closure(a, q, error, J);
         }
         off = off > 1e-3 ? off : polish(a, q, x);
-        if (off < a->tolerance) {
+        int is_new = off < a->tolerance;
+        for (int i = 0; i < all->count && is_new; ++i) {
+            double largest = 0.0;
+            for (int k = 0; k < 6; ++k) {
+                largest = fmax(largest, fabs(difference(sliding[k], x[k], all->q[i][k])));
+            }
+            is_new = largest > 0.1;
+        }
+        if (is_new) {
             keep(a, all, x, off);
         }
     }
@@ -2235,7 +2243,7 @@ KINSYM_FN static void move_beside(const arm *a, double size, arm *beside)
 }
 
 /* The best cut; the second where the first is in doubt; and where the doubt remains, starts from the solutions
- * of poses beside this one, nearer ones if there are none; at last, where no cut tells anything, from anywhere. */
+ * of poses beside this one, nearer ones if there are none; where no cut tells anything, from anywhere as well. */
 KINSYM_FN static void find_solutions(const cut *ways, int count, const arm *a, solutions *all)
 {
     int silent = 1;
@@ -2254,7 +2262,7 @@ KINSYM_FN static void find_solutions(const cut *ways, int count, const arm *a, s
             eliminate(&ways[i], &beside, all);
         }
     }
-    if (silent && all->count == 0) {
+    if (silent) {
         descend(a, all);
     }
 }

@@ -389,7 +389,7 @@ KINSYM_FN static double polish(double q[SPHERICAL_WRIST_JOINTS], const spherical
             trial[i] = q[i] - g[i];
         }
         double reached = distance(trial, p, M, size, e);
-        for (int back = 0, nearer = 1; back < 4 && nearer && reached >= left; ++back) {
+        for (int back = 0, nearer = reached > 2.0 * left; back < 4 && nearer && reached >= left; ++back) {
             const double before = reached;
             slopes(trial, p, size, D);
             step(D, e, fmax(reached, 1e-7), g);
@@ -397,7 +397,7 @@ KINSYM_FN static double polish(double q[SPHERICAL_WRIST_JOINTS], const spherical
                 trial[i] -= g[i];
             }
             reached = distance(trial, p, M, size, e);
-            nearer = reached < before;
+            nearer = reached < 0.1 * before;
         }
         if (reached < left) {
             for (int i = 0; i < SPHERICAL_WRIST_JOINTS; ++i) {
@@ -415,8 +415,8 @@ KINSYM_FN static double polish(double q[SPHERICAL_WRIST_JOINTS], const spherical
 
 /* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
  * Where two borders cross the distance is stationary, and a second start lies beside it. */
-KINSYM_FN static int settle(double q[][SPHERICAL_WRIST_JOINTS], int mark, const spherical_wrist_params *p,
-    const double M[12], double tau, double size)
+KINSYM_FN static int settle(double q[][SPHERICAL_WRIST_JOINTS], double alike[], int mark,
+    const spherical_wrist_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[SPHERICAL_WRIST_JOINTS], other[SPHERICAL_WRIST_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -440,12 +440,51 @@ KINSYM_FN static int settle(double q[][SPHERICAL_WRIST_JOINTS], int mark, const 
         left = fmin(left, reached);
     }
     int found = left <= ((mark & IS_DOUBTFUL) ? fmax(1e-12, reach) : fmax(1e-9, reach));
+    alike[0] = (mark & IS_DOUBTFUL) ? 1e-3 : 1e-6;
     for (int k = 0; k < found; ++k) {
         for (int i = 0; i < SPHERICAL_WRIST_JOINTS; ++i) {
             q[k][i] = wrap(q[k][i]);
         }
     }
     return found;
+}
+
+/* Takes the solutions out that moved and turned out to be another one, those in doubt if they are only as near as
+ * alike tells, and puts the rest in the order of their branches; returns how many are left. */
+KINSYM_FN static int tidied(double q[][SPHERICAL_WRIST_JOINTS], spherical_wrist_mark marks[],
+    const double alike[], int count)
+{
+    int kept = 0;
+    for (int i = 0; i < count; ++i) {
+        double moved[SPHERICAL_WRIST_JOINTS];
+        const spherical_wrist_mark mark = marks[i];
+        int copy = 0, place = kept;
+        for (int j = 0; j < count && !copy && alike[i] > 0.0; ++j) {
+            copy = j < kept || (j > i && alike[j] < alike[i]);
+            for (int k = 0; k < SPHERICAL_WRIST_JOINTS && copy; ++k) {
+                const double gap = q[i][k] - q[j][k];
+                copy = fabs(wrap(gap)) <= alike[i];
+            }
+        }
+        if (copy) {
+            continue;
+        }
+        for (int k = 0; k < SPHERICAL_WRIST_JOINTS; ++k) {
+            moved[k] = q[i][k];
+        }
+        for (; place > 0 && marks[place - 1].branch > mark.branch; --place) {
+            marks[place] = marks[place - 1];
+            for (int k = 0; k < SPHERICAL_WRIST_JOINTS; ++k) {
+                q[place][k] = q[place - 1][k];
+            }
+        }
+        marks[place] = mark;
+        for (int k = 0; k < SPHERICAL_WRIST_JOINTS; ++k) {
+            q[place][k] = moved[k];
+        }
+        ++kept;
+    }
+    return kept;
 }
 
 /* The solutions of a special pose that are numbers, marked ones settled; returns how many there are. */
@@ -455,6 +494,7 @@ KINSYM_FN static int settled(double q[][SPHERICAL_WRIST_JOINTS], spherical_wrist
 {
     double given[SPHERICAL_WRIST_MAX_SOLUTIONS][SPHERICAL_WRIST_JOINTS];
     unsigned branches[SPHERICAL_WRIST_MAX_SOLUTIONS];
+    double alike[SPHERICAL_WRIST_MAX_SOLUTIONS];
     int kept = 0;
     for (int k = 0; k < count; ++k) {
         branches[k] = marks[k].branch;
@@ -470,11 +510,12 @@ KINSYM_FN static int settled(double q[][SPHERICAL_WRIST_JOINTS], spherical_wrist
         marks[kept].branch = branch;
         const int mark1 = found[k] & 15;
         const int mark = mark1;
+        alike[kept] = (mark & IS_DOUBTFUL) ? 1e-3 : 0.0;
         marks[kept].free = (mark1 & IS_FREE ? 1u : 0u);
         marks[kept].border = 0;
-        kept += mark ? settle(q + kept, mark, p, M, tau, size) : all_finite(q[kept]);
+        kept += mark ? settle(q + kept, alike + kept, mark, p, M, tau, size) : all_finite(q[kept]);
     }
-    return kept;
+    return tidied(q, marks, alike, kept);
 }
 
 KINSYM_FN int spherical_wrist_ik_marked(const double T[16], const spherical_wrist_params *p,

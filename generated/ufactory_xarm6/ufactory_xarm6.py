@@ -675,7 +675,7 @@ def _solve(M, parameters):
         which = which[doubt]
         if not len(which):
             break
-    found = _descended(np.setdiff1d(which[silent[which]], found[0]), wanted, found, parameters)
+    found = _descended(which[silent[which]], wanted, found, parameters)
     return _packed(found[0], found[1], _lengths(wanted, parameters))
 
 
@@ -1384,9 +1384,8 @@ def _descended(which, wanted, found, parameters):
     """
     if not len(which):
         return found
-    lengths = _lengths(wanted, parameters)
     pose = np.repeat(which, 32)
-    length = lengths[pose]
+    length = _lengths(wanted, parameters)[pose]
     shares = 2.0 * (np.arange(1.0, 33)[:, None] * _STRIDES % 1.0) - 1.0
     q = np.tile(shares, (len(which), 1)) * np.where(_SLIDING, 2.0 * length[:, None], np.pi)
     far = np.arange(len(pose))
@@ -1403,11 +1402,15 @@ def _descended(which, wanted, found, parameters):
         size = np.sqrt((step * step).sum(axis=1, keepdims=True))
         q[far] += step * np.minimum(1.0, 0.5 / np.maximum(size, 0.5)) * unit
     near = np.setdiff1d(np.arange(len(pose)), far)
-    pose, length = pose[near], length[near]
-    q, off = _polished(q[near], wanted[pose], length, parameters)
-    good = off < _ACCEPTED
-    more = _distinct(pose[good], _wrapped(q[good]), off[good], wanted, lengths, parameters)
-    return tuple(np.concatenate(parts) for parts in zip(found, more))
+    q, off = _polished(q[near], wanted[pose[near]], length[near], parameters)
+    pose, q, unit = pose[near], _wrapped(q), np.where(_SLIDING, length[near, None], 1.0)
+    for k in np.flatnonzero(off < _ACCEPTED):
+        # Of points of a curve that are near to each other the first is kept.
+        gap = (q[k] - found[1][found[0] == pose[k]]) / unit[k]
+        gap = np.where(_SLIDING, gap, gap - 2.0 * np.pi * np.round(gap / (2.0 * np.pi)))
+        if (np.abs(gap).max(axis=1) > 0.1).all():
+            found = tuple(np.append(old, [new], axis=0) for old, new in zip(found, (pose[k], q[k], off[k])))
+    return found
 
 
 @np.errstate(all="ignore")

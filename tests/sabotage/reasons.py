@@ -23,7 +23,7 @@ REST = "something else"
 
 #: The functions of both languages without the underscore, the arm's name and "scalar_" in front.
 _FUNCTIONS = {
-    SETTLED: "settle settled polish step slopes distance tidied drop_copies starts refine newton",
+    SETTLED: "settle settled polish step stepped slopes distance tidied drop_copies starts refine newton advance",
     BANDS: "triangle linear direction homogeneous homogeneous2 quadratic quotient quartic linear_pole mark reaches "
     "reaches_pose reach_block length free joint_parts",
     POSE: "read_pose read_poses mended_pose read_block is_pose are_numbers",
