@@ -737,8 +737,8 @@ def _stepped(q, e, damping, size, given):
 def _polish(q, M, size, given):
     """Move q (k, 6) towards the poses M (k, 4, 4) by least squares; returns the distances that are left (k,).
 
-    Damped by the distance: fast even where the Jacobian loses rank. What the pose hardly feels is a motion along a curve,
-    which a long step leaves: steps that are damped too much for that motion lead back, before the step is judged.
+    Damped by the distance: fast even where the Jacobian loses rank. What the pose hardly feels is a motion along a
+    curve, which a long step leaves: steps damped too much for that motion lead back, before the step is judged.
     """
     e, left = _distance(q, M, size, given)
     caution = np.ones_like(left)
