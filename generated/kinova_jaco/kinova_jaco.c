@@ -1941,7 +1941,7 @@ KINSYM_FN static double polish(const arm *a, joint_value q[6], double x[6])
     for (int k = 0; k < 6; ++k) {
         kept[k] = q[k];
     }
-    for (int round = 0; round <= 10; ++round) {
+    for (int round = 0; round <= 20; ++round) {
         double error[6], J[36], step[6];
         const double off = closure(a, q, error, J);
         if (!(off < 1e9) || (round >= 4 && off > 0.1) || (round >= 7 && off > 1e-3)) {
@@ -1955,7 +1955,7 @@ KINSYM_FN static double polish(const arm *a, joint_value q[6], double x[6])
                 after[k] = 0.0;
             }
         }
-        if (best < 2e-15 || stalled || round == 10) {
+        if (best < 2e-15 || stalled || round == 20) {
             break;
         }
         const double norm = solve_linearised(J, error, step);

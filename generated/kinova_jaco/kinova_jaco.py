@@ -1430,7 +1430,7 @@ def _polished(q, wanted, length, parameters):
     best, closest = q.copy(), np.full(len(q), np.inf)
     rows = np.flatnonzero(np.isfinite(q).all(axis=1))
     q = q[rows]
-    for step in range(11):
+    for step in range(21):
         if not len(rows):
             break
         T = _reached(q, parameters)

@@ -8,11 +8,9 @@ from __future__ import annotations
 
 from kinsym.check.linear import Matrix, Value, Vector
 from kinsym.check.newton import Newton
+from kinsym.general.tables import DESCENT, STARTS, STRIDES
 
-STARTS, PASSES = 32, 60
 NEAR = 1e-3
-#: From start to start, in radians and units of the arm's: nothing that repeats itself.
-STRIDES = (2.3, 1.1, 2.9, 1.9, 0.7, 2.6)
 
 
 def descended(newton: Newton, rows: Matrix, length: Value) -> list[Vector]:
@@ -26,15 +24,16 @@ def descended(newton: Newton, rows: Matrix, length: Value) -> list[Vector]:
 
 
 def _start(newton: Newton, number: int, length: Value) -> Vector:
-    """Joint values between -3 and 3, lengths in units of the arm's."""
-    values = [(number * stride) % 6 - 3 for stride, _ in zip(STRIDES, newton.kinds, strict=False)]
-    return [value * unit for value, (_, unit) in zip(values, newton.in_units(values, length), strict=True)]
+    """Where the code starts too: angles all round, lengths up to twice the arm's."""
+    ctx = newton.ctx
+    shares = [2 * (number * ctx.mpf(stride) % 1) - 1 for stride in STRIDES]
+    return [share * (2 * length if kind == "P" else ctx.pi) for share, kind in zip(shares, newton.kinds, strict=False)]
 
 
 def _near(newton: Newton, q: Vector, rows: Matrix, length: Value) -> Vector | None:
     """Joint values from which Newton's method reaches the pose, or None if the passes end before."""
     ctx = newton.ctx
-    for _ in range(PASSES):
+    for _ in range(DESCENT):
         reached = newton.forward(q)
         if newton.off(reached, rows, length) < NEAR:
             return q

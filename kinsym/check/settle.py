@@ -126,7 +126,7 @@ class Settler:
         """The vector that the pose is reached from, from ``start`` or beside it, with the distance that is left.
 
         Where two borders cross the distance is stationary, and only a start beside it gets away. A slide that was
-        divided by next to nothing is far off; in the last start no slide is longer than the arm.
+        divided by next to nothing is far off; the last start, the only one if it is FAR, has none longer than the arm.
         """
         ctx, inside = self._ctx, self._drawn_in(start, goal)
         if any(abs(a - b) > FAR * goal.size for a, b in zip(start, inside, strict=True)):

@@ -49,6 +49,7 @@ def closures(q: np.ndarray, solutions: np.ndarray) -> np.ndarray:
 
 def test_it_is_stated_by_the_rest_of_the_unit_vector_too() -> None:
     step = quartic()
+    assert "what is left of a unit vector" in step.why
     assert "w_z" in symbols(step.inputs["l"])
     assert sum(left == "0" for left, _ in step.solution) == 2
 

@@ -107,9 +107,9 @@ def _build(view: View, other: Angle, pair: Pair, again: Pair | None, names: Name
     c, s = Sym(other.cosine), Sym(other.sine)
     lines, other_lines = ([total([mul(p, c), mul(q, s), r]) for p, q, r in part] for part in (vectors, second))
     statements = [difference(lines), *([difference(other_lines)] if again is not pair else [])]
-    twice = (
-        "; stated twice, as each keeps its digits where the vectors of the other vanish" if again is not pair else ""
-    )
+    twice = "; stated twice, as each keeps its digits where the vectors of the other vanish"
+    if rest:
+        twice = "; stated twice, as what is left of a unit vector keeps its digits where that component is next to 1"
     # The rest of a unit vector keeps more digits than the vector everywhere, so that it comes first.
     first, last = ("2", "") if rest else ("", "2")
     inputs = {**quartic_inputs(vectors, error, first), **quartic_inputs(second, error_of(state, again), last)}
@@ -127,7 +127,7 @@ def _build(view: View, other: Angle, pair: Pair, again: Pair | None, names: Name
         condition=None,
         degenerate=None,
         why=f"the squares of the two equations add up to one without {turned.name}, "
-        f"a polynomial of degree four in the tangent of half the angle{twice}",
+        f"a polynomial of degree four in the tangent of half the angle{twice if again is not pair else ''}",
     )
     values: list[Definition] = []
     sides = [names.short("kappa", line, values) for line in lines]
