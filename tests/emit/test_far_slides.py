@@ -16,7 +16,7 @@ from kinsym.emit.program import build_schedule
 from kinsym.emit.schedule import Schedule
 from kinsym.robot import from_inline
 from tests.emit.built import CLibrary, needs_compiler
-from tests.general.arms import run
+from tests.general.arms import closures, run
 
 #: A made-up arm in Paul's convention: with theta3 = 0 slides 1 and 5 are parallel, axes 2 and 4 as well.
 ARM = "0 0.562 d1 0; pi/2 0 0 theta2; -pi/2 0 0.555 theta3; 0 0 0.237 theta4; pi/2 0 d5 pi/2; 0 -0.442 d6 pi/2"
@@ -41,16 +41,9 @@ def poses(q: np.ndarray) -> np.ndarray:
     return np.asarray(np.round(run(schedule()).fk(q) * 2.0**53) / 2.0**53)
 
 
-def closures(q: np.ndarray, solutions: np.ndarray) -> np.ndarray:
-    """How far the solutions (N, S, 6) are from the poses of q (N, 6), (N, S); NaN where there is none."""
-    arm = run(schedule())
-    gap = arm.fk(np.nan_to_num(solutions)) - arm.fk(q)[:, None]
-    return np.where(np.isnan(solutions[..., 0]), np.nan, np.abs(gap).max(axis=(-1, -2)))
-
-
 def test_every_pose_is_reached() -> None:
     q = joint_vectors()
-    off = closures(q, run(schedule()).ik_batch(poses(q), reference=q)[0])
+    off = closures(run(schedule()), q, run(schedule()).ik_batch(poses(q), reference=q)[0])
     assert np.nanmin(off, axis=1).max() < 1e-9
 
 
@@ -58,7 +51,7 @@ def test_every_pose_is_reached() -> None:
 def test_every_pose_is_reached_in_c() -> None:
     q = joint_vectors()
     solutions, _ = CSolver(CLibrary(schedule()).library, schedule(), {}).inverse(poses(q), q)
-    assert np.nanmin(closures(q, solutions), axis=1).max() < 1e-9
+    assert np.nanmin(closures(run(schedule()), q, solutions), axis=1).max() < 1e-9
 
 
 def test_a_vector_with_far_slides_is_settled_with_fifty_digits() -> None:

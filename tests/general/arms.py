@@ -100,3 +100,12 @@ def misses(module: ModuleType, poses: np.ndarray, solutions: np.ndarray, valid: 
     """How far each of the solutions (N, S, n) that are valid misses its pose (N, 4, 4), entry by entry (K, 4, 4)."""
     reached = module.fk(np.where(valid[..., None], solutions, 0.0))
     return np.abs(reached - poses[:, None])[valid]
+
+
+def closures(module: ModuleType, q: np.ndarray, solutions: np.ndarray, spin: bool = False) -> np.ndarray:
+    """How far the solutions (N, S, n) are from the poses of q (N, n), (N, S); NaN where there is none.
+
+    With ``spin`` the turn about the tool's z axis does not count.
+    """
+    gap = np.abs(module.fk(np.nan_to_num(solutions)) - module.fk(q)[:, None])[..., :3, 2 * spin :]
+    return np.where(np.isnan(solutions[..., 0]), np.nan, gap.max(axis=(-1, -2)))
