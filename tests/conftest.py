@@ -1,12 +1,16 @@
 """Settings of the whole suite: hypothesis draws the same examples everywhere and never judges by the clock.
 
 Programs that tests start can be interrupted, whatever the suite itself was started by: a shell has its background jobs
-ignore Ctrl-C, and with them all that they start.
+ignore Ctrl-C, and with them all that they start. Matplotlib keeps its list of fonts in a folder of the suite's own,
+whatever lies in the user's.
 """
 
 from __future__ import annotations
 
+import os
+import shutil
 import signal
+import tempfile
 
 import pytest
 from hypothesis import settings
@@ -15,6 +19,20 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 
 settings.register_profile("kinsym", deadline=None, derandomize=True)
 settings.load_profile("kinsym")
+
+_FONTS = pytest.StashKey[str]()
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """One folder for all workers, which the process that starts them makes and :func:`pytest_unconfigure` removes."""
+    if not hasattr(config, "workerinput"):
+        config.stash[_FONTS] = os.environ["MPLCONFIGDIR"] = tempfile.mkdtemp(prefix="kinsym-fonts-")
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    """No worker is left that needs its list of fonts."""
+    if _FONTS in config.stash:
+        shutil.rmtree(config.stash[_FONTS], ignore_errors=True)
 
 
 @pytest.fixture
