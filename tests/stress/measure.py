@@ -44,8 +44,9 @@ BLOCK = 50_000
 #: One pose in so many is asked of the batch as well.
 BATCH = 4
 JUDGED = 2_000
-#: Steps along ways that wind, as they do where another singular pose is not far, and how far such ways lead.
-SHORT, FAR = 0.01, 10.0
+#: Steps along ways that wind, as they do where another singular pose is not far, the shorter ones where the longer
+#: miss a bend, and how far such ways lead.
+SHORT, FAR = (0.01, 0.001), 10.0
 #: So many of one block are looked at so closely; where more are missed, something is wrong with the solver.
 WINDING = 40
 #: A pose outside by less than this is not known to be outside.
@@ -212,11 +213,13 @@ class Stress:
         """Whether a winding way leads from solutions (k, n) to a joint vector (n,): the checks' way in short steps."""
         if not len(found):
             return False
-        tracer = Tracer(
-            self.kinematics, self.schedule.task, path + 4 * self.judge.tau, step=SHORT, steps=round(FAR / SHORT)
-        )
+        limit = path + 4 * self.judge.tau
         way, poses = wrapped(q - found, self.postures.revolute), np.repeat(T[None], len(found), axis=0)
-        return bool(tracer.joined(found, way, poses).any() or tracer.joined(found + way, -way, poses).any())
+        for step in SHORT:
+            tracer = Tracer(self.kinematics, self.schedule.task, limit, step=step, steps=round(FAR / step))
+            if tracer.joined(found, way, poses).any() or tracer.joined(found + way, -way, poses).any():
+                return True
+        return False
 
     def _copies(self, found: Floats) -> np.ndarray:
         copied = np.zeros(len(found), dtype=bool)

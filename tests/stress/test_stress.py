@@ -1,5 +1,7 @@
 """The long run in short: it finds nothing in good code, and every fault in code that was broken on purpose."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -9,7 +11,7 @@ from kinsym.emit.program import build_schedule
 from tests import arms
 from tests.emit.built import needs_compiler
 from tests.reliability import HEAD, write_section
-from tests.stress.measure import FAULTS, INSIDE, OUTSIDE, PAIR, RANDOM, Kind, Stress
+from tests.stress.measure import FAULTS, INSIDE, OUTSIDE, PAIR, RANDOM, Kind, Poses, Stress
 from tests.stress.table import lines, section
 
 pytestmark = needs_compiler
@@ -56,6 +58,26 @@ def test_every_fault_is_counted(fault):
 def test_locked_joints_slides_and_tasks_with_fewer_joints(name):
     kinds = Stress(arms.derivation(name)).run(1000)
     assert not any(sum(kind.faults.values()) for kind in kinds)
+
+
+def test_a_way_is_followed_round_its_bends():
+    """A slide of 1e-7 of the arm, theta1 as near to its border: within the tolerance axis 2 turns by a radian.
+
+    The way passes s5 = 0, where axes 4 and 6 turn on it while theta5 changes by a millionth.
+    """
+    stress = Stress(arms.derivation("stanford_arm"))
+    arm = (-0.42608683606376063, 2.191359976785872, -3.536667590582449e-05)
+    wrist = (-2.373573143248012, -1.5909866895084743e-06, 0.5720852015430925)
+    q = np.array([[*arm, *wrist]])
+    poses = Poses(name="s5 = 0", q=q, T=stress.kinematics.forward(q), distance=np.array([1e-6]))
+    kind = Kind(name=poses.name)
+    stress._hold(poses, slice(0, 1), kind)
+    assert not any(kind.faults.values())
+    assert kind.solutions
+    q = q.copy()
+    q[:, 3] += 0.1
+    stress._hold(replace(poses, q=q), slice(0, 1), kind)
+    assert kind.faults["lost"] == 1
 
 
 def test_outside_of_a_border_is_nothing():
