@@ -29,7 +29,7 @@ _READ = {
     "linear": (("a", "b"),),
     "linear_pole": (("a", "b"),),
     "triangle": (("l1",), ("l2",)),
-    "direction": (("along", "across"),),
+    "direction": (("along", "across"), ("x", "y")),
 }
 """By rule: of each of these groups of inputs one must not be zero, or the unknown is free."""
 

@@ -114,6 +114,14 @@ def test_the_plan_lists_what_it_needs_and_no_more(name: str, wanted: set[str]) -
     assert len(plan.nonzero) == len(wanted)
 
 
+def test_a_point_that_turns_round_nothing_is_named() -> None:
+    """Four axes meet where d3 vanishes: the triangle of a4 and a5 has its third corner on its first."""
+    table = "-pi/2 0 0 theta1; pi/2 0 0 theta2; -pi/2 0 d3 theta3; 0 a4 0 theta4; -pi/2 a5 0 theta5; 0 a6 0 theta6"
+    plan = derive(from_inline(table, convention="paul", name="arm")).plan
+    assert plan is not None
+    assert {item.value for item in plan.nonzero} == {Sym("d3"), Sym("a4")}
+
+
 @pytest.mark.parametrize("tiny", [1e-16, -1e-16, 5e-324])
 def test_rounding_does_not_hide_a_zero(tiny: float) -> None:
     module = numpy_module("symbolic_pieper")
