@@ -840,7 +840,8 @@ def _polish(q, M, size, given):
 def _settle(q, valid, mark, free, border, apart, M, tau, size, given):
     """Polish the marked solutions q (N, 8, 6) that need it, and say in valid (N, 8) which of them are solutions.
 
-    Where two borders cross the distance is stationary, and a second start lies beside it. A border that had to be
+    Where two borders cross the distance is stationary, and a second start lies beside it; where the reference put a
+    free joint so that the others cannot follow, it is turned as well. A border that had to be
     polished hid two solutions: the other is looked for on the other side. apart (N, 8) tells how many places
     farther it belongs, 0 where there is none; free and border are the bits of joints.    """
     valid &= np.isfinite(q).all(axis=-1)
@@ -849,18 +850,19 @@ def _settle(q, valid, mark, free, border, apart, M, tau, size, given):
     M, size, reach = M[pose], scale[pose], 4.0 * tau[pose]
     start = q[pose, branch]
     ends, left = start.copy(), _distance(start, M, size, given)[1]
+    doubtful = mark[pose, branch] & _DOUBTFUL != 0
     for trial in range(4):
         rows = np.flatnonzero(left > reach)
         if not rows.size:
             break
         beside = left[rows, None] ** (1.0 / (1.0 + trial)) * (trial > 0)
-        beside = beside * np.cos(1.0 + np.arange(6))
+        turned = 1.5 * (trial % 4) * (free[pose[rows], branch[rows], None] >> np.arange(6) & 1)
+        beside = beside * np.cos(1.0 + np.arange(6)) + doubtful[rows, None] * turned
         moved = start[rows] + beside
         reached = _polish(moved, M[rows], size[rows], given)
         better = (reached < left[rows]) | (trial == 0)
         ends[rows[better]], left[rows[better]] = moved[better], reached[better]
     alike = np.zeros(valid.shape)
-    doubtful = mark[pose, branch] & _DOUBTFUL != 0
     good = left <= np.maximum(np.where(doubtful, 1e-12, 1e-9), reach)
     moved = (ends != start).any(axis=1)
     q[pose, branch] = np.where(moved[:, None], _wrapped(ends), start)

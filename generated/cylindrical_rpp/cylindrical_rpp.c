@@ -348,6 +348,16 @@ KINSYM_FN static void step(double D[ENTRIES][CYLINDRICAL_RPP_JOINTS], const doub
     }
 }
 
+/* What rounding hides of the distance where slides are drawn out far, lengths over the size. */
+KINSYM_FN static double rounding(const double q[CYLINDRICAL_RPP_JOINTS], double size)
+{
+    double longest = 0.0;
+    for (int i = 0; i < CYLINDRICAL_RPP_JOINTS; ++i) {
+        longest = slides[i] ? fmax(longest, fabs(q[i])) : longest;
+    }
+    return 4.0 * 2.220446049250313e-16 * longest / size;
+}
+
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. What the pose hardly feels is a motion along a curve, which a long step leaves: steps that are
  * damped too much for that motion lead back, before the step is judged. Returns the distance. */
@@ -384,18 +394,19 @@ KINSYM_FN static double polish(double q[CYLINDRICAL_RPP_JOINTS], const cylindric
             caution *= 10.0;
         }
     }
-    return left;
+    return left + rounding(q, size);
 }
 
 /* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
  * A slide that was divided by next to nothing lies far off; in the last start it is no longer than the arm.
- * Where two borders cross the distance is stationary, and a second start lies beside it. */
-KINSYM_FN static int settle(double q[][CYLINDRICAL_RPP_JOINTS], double alike[], int mark,
+ * Where two borders cross the distance is stationary, and a second start lies beside it; where the reference put a
+ * free joint so that the others cannot follow, it is turned as well. */
+KINSYM_FN static int settle(double q[][CYLINDRICAL_RPP_JOINTS], double alike[], int mark, unsigned free,
     const cylindrical_rpp_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[CYLINDRICAL_RPP_JOINTS], other[CYLINDRICAL_RPP_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
-    double left = distance(q[0], p, M, unit, e);
+    double left = distance(q[0], p, M, unit, e) + rounding(q[0], unit);
     if (!(left > reach)) {
         return left <= reach;
     }
@@ -406,7 +417,8 @@ KINSYM_FN static int settle(double q[][CYLINDRICAL_RPP_JOINTS], double alike[], 
     for (int trial = 1; trial < 4 && left > reach; ++trial) {
         const double beside = pow(left, 1.0 / (1.0 + trial));
         for (int i = 0; i < CYLINDRICAL_RPP_JOINTS; ++i) {
-            other[i] = start[i] + beside * (slides[i] ? unit : 1.0) * cos(1.0 + i);
+            const double turned = (mark & IS_DOUBTFUL) && (free >> i & 1u) ? 1.5 * trial : 0.0;
+            other[i] = start[i] + (slides[i] ? unit : 1.0) * (beside * cos(1.0 + i) + turned);
         }
         const double reached = polish(other, p, M, unit);
         for (int i = 0; i < CYLINDRICAL_RPP_JOINTS && reached < left; ++i) {
@@ -500,7 +512,8 @@ KINSYM_FN static int settled(double q[][CYLINDRICAL_RPP_JOINTS], cylindrical_rpp
         alike[kept] = (mark & IS_DOUBTFUL) ? 1e-3 : 0.0;
         marks[kept].free = (mark2 & IS_FREE ? 1u : 0u);
         marks[kept].border = 0;
-        kept += mark ? settle(q + kept, alike + kept, mark, p, M, tau, size) : all_finite(q[kept]);
+        kept += mark ? settle(q + kept, alike + kept, mark, marks[kept].free, p, M, tau, size)
+            : all_finite(q[kept]);
     }
     return tidied(q, marks, alike, kept, size);
 }

@@ -2121,7 +2121,8 @@ KINSYM_FN static void move_beside(const arm *a, double size, arm *beside)
 }
 
 /* The best cut; the second where the first is in doubt; and where the doubt remains, starts from the solutions
- * of poses beside this one, nearer ones if there are none; where no cut tells anything, from anywhere as well. */
+ * of poses on both sides of this one, nearer ones if there are none; where that leads nowhere, and where no cut
+ * tells anything, from anywhere as well. */
 KINSYM_FN static void find_solutions(const cut *ways, int count, const arm *a, solutions *all)
 {
     int silent = 1;
@@ -2134,13 +2135,15 @@ KINSYM_FN static void find_solutions(const cut *ways, int count, const arm *a, s
         silent = silent && told == SILENT;
     }
     for (double size = 1e-3; size > 1e-7 && (size == 1e-3 || all->count == 0); size *= 0.03) {
-        arm beside;
-        move_beside(a, size, &beside);
-        for (int i = 0; i < count; ++i) {
-            eliminate(&ways[i], &beside, all);
+        for (int side = -1; side < 2; side += 2) { /* a double root parts on one side of its pose alone */
+            arm beside;
+            move_beside(a, side * size, &beside);
+            for (int i = 0; i < count; ++i) {
+                eliminate(&ways[i], &beside, all);
+            }
         }
     }
-    if (silent) {
+    if (silent || all->count == 0) {
         descend(a, all);
     }
 }

@@ -597,12 +597,13 @@ KINSYM_FN static double polish(double q[FANUC_LRMATE200ID_JOINTS], const fanuc_l
 }
 
 /* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
- * Where two borders cross the distance is stationary, and a second start lies beside it. A border
+ * Where two borders cross the distance is stationary, and a second start lies beside it; where the reference put a
+ * free joint so that the others cannot follow, it is turned as well. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
 KINSYM_FN static int settle(double q[][FANUC_LRMATE200ID_JOINTS], fanuc_lrmate200id_mark marks[],
-    double alike[], unsigned twin, int mark, const fanuc_lrmate200id_params *p, const double M[12],
-    double tau, double size)
+    double alike[], unsigned twin, int mark, unsigned free, const fanuc_lrmate200id_params *p,
+    const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[FANUC_LRMATE200ID_JOINTS], other[FANUC_LRMATE200ID_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -617,7 +618,8 @@ KINSYM_FN static int settle(double q[][FANUC_LRMATE200ID_JOINTS], fanuc_lrmate20
     for (int trial = 1; trial < 4 && left > reach; ++trial) {
         const double beside = pow(left, 1.0 / (1.0 + trial));
         for (int i = 0; i < FANUC_LRMATE200ID_JOINTS; ++i) {
-            other[i] = start[i] + beside * cos(1.0 + i);
+            const double turned = (mark & IS_DOUBTFUL) && (free >> i & 1u) ? 1.5 * trial : 0.0;
+            other[i] = start[i] + (beside * cos(1.0 + i) + turned);
         }
         const double reached = polish(other, p, M, unit);
         for (int i = 0; i < FANUC_LRMATE200ID_JOINTS && reached < left; ++i) {
@@ -713,7 +715,7 @@ KINSYM_FN static int settled(double q[][FANUC_LRMATE200ID_JOINTS], fanuc_lrmate2
             | (mark4 & IS_FREE ? 8u : 0u);
         marks[kept].border = (mark2 & IS_BORDER ? 4u : 0u);
         kept += mark ? settle(q + kept, marks + kept, alike + kept, branch + (mark2 & IS_BORDER ? 2u : 0u),
-            mark, p, M, tau, size) : all_finite(q[kept]);
+            mark, marks[kept].free, p, M, tau, size) : all_finite(q[kept]);
     }
     return tidied(q, marks, alike, kept);
 }

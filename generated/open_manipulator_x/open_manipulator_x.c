@@ -383,7 +383,7 @@ KINSYM_FN static int reaches(const double q[OPEN_MANIPULATOR_X_JOINTS], const op
     static const int rotation[] = {0, 4, 8, 1, 5, 9, 2, 6, 10};
     static const int position[] = {3, 7, 11};
     const double t = fmax(1e-9, 4.0 * tau);
-    const double t_length = t * fmax(size, fmax(fabs(M[3]), fmax(fabs(M[7]), fabs(M[11]))));
+    const double t_length = 0.25 * t * size; /* the size has the coordinates in it, of which one is the largest */
     double T[16];
     open_manipulator_x_fk(q, p, T);
     for (int i = 0; i < 9; ++i) {
@@ -508,12 +508,13 @@ KINSYM_FN static double polish(double q[OPEN_MANIPULATOR_X_JOINTS], const open_m
 }
 
 /* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
- * Where two borders cross the distance is stationary, and a second start lies beside it. A border
+ * Where two borders cross the distance is stationary, and a second start lies beside it; where the reference put a
+ * free joint so that the others cannot follow, it is turned as well. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
 KINSYM_FN static int settle(double q[][OPEN_MANIPULATOR_X_JOINTS], open_manipulator_x_mark marks[],
-    double alike[], unsigned twin, int mark, const open_manipulator_x_params *p, const double M[12],
-    double tau, double size)
+    double alike[], unsigned twin, int mark, unsigned free, const open_manipulator_x_params *p,
+    const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[OPEN_MANIPULATOR_X_JOINTS], other[OPEN_MANIPULATOR_X_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -528,7 +529,8 @@ KINSYM_FN static int settle(double q[][OPEN_MANIPULATOR_X_JOINTS], open_manipula
     for (int trial = 1; trial < 4 && left > reach; ++trial) {
         const double beside = pow(left, 1.0 / (1.0 + trial));
         for (int i = 0; i < OPEN_MANIPULATOR_X_JOINTS; ++i) {
-            other[i] = start[i] + beside * cos(1.0 + i);
+            const double turned = (mark & IS_DOUBTFUL) && (free >> i & 1u) ? 1.5 * trial : 0.0;
+            other[i] = start[i] + (beside * cos(1.0 + i) + turned);
         }
         const double reached = polish(other, p, M, unit);
         for (int i = 0; i < OPEN_MANIPULATOR_X_JOINTS && reached < left; ++i) {
@@ -536,7 +538,7 @@ KINSYM_FN static int settle(double q[][OPEN_MANIPULATOR_X_JOINTS], open_manipula
         }
         left = fmin(left, reached);
     }
-    int found = left <= ((mark & IS_DOUBTFUL) ? fmax(1e-12, reach) : fmax(1e-9, reach));
+    int found = left <= ((mark & IS_DOUBTFUL) ? fmax(1e-12, reach) : fmax(0.25 * 1e-9, reach));
     if (found && (mark & IS_BORDER)) {
         for (int i = 0; i < OPEN_MANIPULATOR_X_JOINTS; ++i) {
             q[1][i] = start[i] - (q[0][i] - start[i]);
@@ -621,7 +623,7 @@ KINSYM_FN static int settled(double q[][OPEN_MANIPULATOR_X_JOINTS], open_manipul
         marks[kept].free = (mark4 & IS_FREE ? 2u : 0u);
         marks[kept].border = (mark3 & IS_BORDER ? 4u : 0u);
         kept += mark ? settle(q + kept, marks + kept, alike + kept, branch + (mark3 & IS_BORDER ? 1u : 0u),
-            mark, p, M, tau, size) : reaches(q[kept], p, M, tau, size);
+            mark, marks[kept].free, p, M, tau, size) : reaches(q[kept], p, M, tau, size);
     }
     return tidied(q, marks, alike, kept);
 }
@@ -1246,8 +1248,7 @@ KINSYM_FN static void reach_block(const open_manipulator_x_params *p, int path, 
         off = larger(off, fabs(block->T[2][k] - block->M[2][k]));
         off = larger(off, fabs(block->T[6][k] - block->M[6][k]));
         off = larger(off, fabs(block->T[10][k] - block->M[10][k]));
-        const double far = larger(fabs(block->M[3][k]), larger(fabs(block->M[7][k]), fabs(block->M[11][k])));
-        const double unit = larger(size, far);
+        const double unit = 0.25 * size;
         off = larger(off, fabs(block->T[3][k] - block->M[3][k]) / unit);
         off = larger(off, fabs(block->T[7][k] - block->M[7][k]) / unit);
         off = larger(off, fabs(block->T[11][k] - block->M[11][k]) / unit);

@@ -460,7 +460,7 @@ def _reaches_pose(
     p14_x = b2 * c2 + a2 * s2 + a3 * c23 + a4 * c234
     p14_y = b2 * s2 - a2 * c2 + a3 * s23 + a4 * s234
     t = max(1e-9, 4.0 * tau)
-    t_length = t * max(size, abs(p_x), abs(p_y), abs(p_z))
+    t_length = 0.25 * t * size  # the size has the coordinates in it, of which one is the largest
     return (
         abs(c1 * c234 - u_x) <= t
         and abs(s1 * c234 - u_y) <= t
@@ -734,7 +734,8 @@ def _polish(q, M, size, given):
 def _settle(q, valid, mark, free, border, apart, M, tau, size, given):
     """Polish the marked solutions q (N, 2, 4) that need it, and say in valid (N, 2) which of them are solutions.
 
-    Where two borders cross the distance is stationary, and a second start lies beside it. A border that had to be
+    Where two borders cross the distance is stationary, and a second start lies beside it; where the reference put a
+    free joint so that the others cannot follow, it is turned as well. A border that had to be
     polished hid two solutions: the other is looked for on the other side. apart (N, 2) tells how many places
     farther it belongs, 0 where there is none; free and border are the bits of joints.    """
     valid &= np.isfinite(q).all(axis=-1)
@@ -743,19 +744,20 @@ def _settle(q, valid, mark, free, border, apart, M, tau, size, given):
     M, size, reach = M[pose], scale[pose], 4.0 * tau[pose]
     start = q[pose, branch]
     ends, left = start.copy(), _distance(start, M, size, given)[1]
+    doubtful = mark[pose, branch] & _DOUBTFUL != 0
     for trial in range(4):
         rows = np.flatnonzero(left > reach)
         if not rows.size:
             break
         beside = left[rows, None] ** (1.0 / (1.0 + trial)) * (trial > 0)
-        beside = beside * np.cos(1.0 + np.arange(4))
+        turned = 1.5 * (trial % 4) * (free[pose[rows], branch[rows], None] >> np.arange(4) & 1)
+        beside = beside * np.cos(1.0 + np.arange(4)) + doubtful[rows, None] * turned
         moved = start[rows] + beside
         reached = _polish(moved, M[rows], size[rows], given)
         better = (reached < left[rows]) | (trial == 0)
         ends[rows[better]], left[rows[better]] = moved[better], reached[better]
     alike = np.zeros(valid.shape)
-    doubtful = mark[pose, branch] & _DOUBTFUL != 0
-    good = left <= np.maximum(np.where(doubtful, 1e-12, 1e-9), reach)
+    good = left <= np.maximum(np.where(doubtful, 1e-12, 0.25e-9), reach)
     moved = (ends != start).any(axis=1)
     q[pose, branch] = np.where(moved[:, None], _wrapped(ends), start)
     valid[pose, branch] = good
@@ -871,7 +873,7 @@ def _reaches(T, M, tau, size):
     good = np.ones(T.shape[:2], dtype=bool)
     for row, column in ((0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (2, 1), (0, 2), (1, 2), (2, 2)):
         good &= np.abs(T[..., row, column] - M[row, column][:, None]) <= t
-    t_length = t * np.maximum(size, np.abs(M[:, 3]).max(axis=0))[:, None]
+    t_length = 0.25 * t * np.reshape(size, (-1, 1))  # the size has the coordinates in it, of which one is the largest
     for row in (0, 1, 2):
         good &= np.abs(T[..., row, 3] - M[row, 3][:, None]) <= t_length
     return good

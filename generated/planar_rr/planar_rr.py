@@ -363,7 +363,7 @@ def _reaches_pose(theta1, theta2, p_x, p_y, p_z, tau, size, l1, l2):
     c12 = math.cos(theta1 + theta2)
     s12 = math.sin(theta1 + theta2)
     t = max(1e-9, 4.0 * tau)
-    t_length = t * max(size, abs(p_x), abs(p_y), abs(p_z))
+    t_length = 0.25 * t * size  # the size has the coordinates in it, of which one is the largest
     return (
         abs(l1 * c1 + l2 * c12 - p_x) <= t_length
         and abs(l1 * s1 + l2 * s12 - p_y) <= t_length
@@ -586,7 +586,8 @@ def _polish(q, M, size, given):
 def _settle(q, valid, mark, free, border, apart, M, tau, size, given):
     """Polish the marked solutions q (N, 2, 2) that need it, and say in valid (N, 2) which of them are solutions.
 
-    Where two borders cross the distance is stationary, and a second start lies beside it. A border that had to be
+    Where two borders cross the distance is stationary, and a second start lies beside it; where the reference put a
+    free joint so that the others cannot follow, it is turned as well. A border that had to be
     polished hid two solutions: the other is looked for on the other side. apart (N, 2) tells how many places
     farther it belongs, 0 where there is none; free and border are the bits of joints.    """
     valid &= np.isfinite(q).all(axis=-1)
@@ -595,19 +596,20 @@ def _settle(q, valid, mark, free, border, apart, M, tau, size, given):
     M, size, reach = M[pose], scale[pose], 4.0 * tau[pose]
     start = q[pose, branch]
     ends, left = start.copy(), _distance(start, M, size, given)[1]
+    doubtful = mark[pose, branch] & _DOUBTFUL != 0
     for trial in range(4):
         rows = np.flatnonzero(left > reach)
         if not rows.size:
             break
         beside = left[rows, None] ** (1.0 / (1.0 + trial)) * (trial > 0)
-        beside = beside * np.cos(1.0 + np.arange(2))
+        turned = 1.5 * (trial % 4) * (free[pose[rows], branch[rows], None] >> np.arange(2) & 1)
+        beside = beside * np.cos(1.0 + np.arange(2)) + doubtful[rows, None] * turned
         moved = start[rows] + beside
         reached = _polish(moved, M[rows], size[rows], given)
         better = (reached < left[rows]) | (trial == 0)
         ends[rows[better]], left[rows[better]] = moved[better], reached[better]
     alike = np.zeros(valid.shape)
-    doubtful = mark[pose, branch] & _DOUBTFUL != 0
-    good = left <= np.maximum(np.where(doubtful, 1e-12, 1e-9), reach)
+    good = left <= np.maximum(np.where(doubtful, 1e-12, 0.25e-9), reach)
     moved = (ends != start).any(axis=1)
     q[pose, branch] = np.where(moved[:, None], _wrapped(ends), start)
     valid[pose, branch] = good
@@ -721,7 +723,7 @@ def _reaches(T, M, tau, size):
     """Whether poses T (N, 2, 4, 4) agree with M in the entries of the task."""
     t = np.maximum(1e-9, 4.0 * tau)[:, None]
     good = np.ones(T.shape[:2], dtype=bool)
-    t_length = t * np.maximum(size, np.abs(M[:, 3]).max(axis=0))[:, None]
+    t_length = 0.25 * t * np.reshape(size, (-1, 1))  # the size has the coordinates in it, of which one is the largest
     for row in (0, 1, 2):
         good &= np.abs(T[..., row, 3] - M[row, 3][:, None]) <= t_length
     return good

@@ -348,7 +348,7 @@ KINSYM_FN static int reaches(const double q[PLANAR_RRR_PAUL_JOINTS], const plana
     static const int rotation[] = {0, 4};
     static const int position[] = {3, 7};
     const double t = fmax(1e-9, 4.0 * tau);
-    const double t_length = t * fmax(size, fmax(fabs(M[3]), fmax(fabs(M[7]), fabs(M[11]))));
+    const double t_length = 0.25 * t * size; /* the size has the coordinates in it, of which one is the largest */
     double T[16];
     planar_rrr_paul_fk(q, p, T);
     for (int i = 0; i < 2; ++i) {
@@ -473,11 +473,13 @@ KINSYM_FN static double polish(double q[PLANAR_RRR_PAUL_JOINTS], const planar_rr
 }
 
 /* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
- * Where two borders cross the distance is stationary, and a second start lies beside it. A border
+ * Where two borders cross the distance is stationary, and a second start lies beside it; where the reference put a
+ * free joint so that the others cannot follow, it is turned as well. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
 KINSYM_FN static int settle(double q[][PLANAR_RRR_PAUL_JOINTS], planar_rrr_paul_mark marks[], double alike[],
-    unsigned twin, int mark, const planar_rrr_paul_params *p, const double M[12], double tau, double size)
+    unsigned twin, int mark, unsigned free, const planar_rrr_paul_params *p, const double M[12], double tau,
+    double size)
 {
     double e[ENTRIES], start[PLANAR_RRR_PAUL_JOINTS], other[PLANAR_RRR_PAUL_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
@@ -492,7 +494,8 @@ KINSYM_FN static int settle(double q[][PLANAR_RRR_PAUL_JOINTS], planar_rrr_paul_
     for (int trial = 1; trial < 4 && left > reach; ++trial) {
         const double beside = pow(left, 1.0 / (1.0 + trial));
         for (int i = 0; i < PLANAR_RRR_PAUL_JOINTS; ++i) {
-            other[i] = start[i] + beside * cos(1.0 + i);
+            const double turned = (mark & IS_DOUBTFUL) && (free >> i & 1u) ? 1.5 * trial : 0.0;
+            other[i] = start[i] + (beside * cos(1.0 + i) + turned);
         }
         const double reached = polish(other, p, M, unit);
         for (int i = 0; i < PLANAR_RRR_PAUL_JOINTS && reached < left; ++i) {
@@ -500,7 +503,7 @@ KINSYM_FN static int settle(double q[][PLANAR_RRR_PAUL_JOINTS], planar_rrr_paul_
         }
         left = fmin(left, reached);
     }
-    int found = left <= ((mark & IS_DOUBTFUL) ? fmax(1e-12, reach) : fmax(1e-9, reach));
+    int found = left <= ((mark & IS_DOUBTFUL) ? fmax(1e-12, reach) : fmax(0.25 * 1e-9, reach));
     if (found && (mark & IS_BORDER)) {
         for (int i = 0; i < PLANAR_RRR_PAUL_JOINTS; ++i) {
             q[1][i] = start[i] - (q[0][i] - start[i]);
@@ -585,7 +588,7 @@ KINSYM_FN static int settled(double q[][PLANAR_RRR_PAUL_JOINTS], planar_rrr_paul
         marks[kept].free = (mark3 & IS_FREE ? 1u : 0u);
         marks[kept].border = (mark2 & IS_BORDER ? 2u : 0u);
         kept += mark ? settle(q + kept, marks + kept, alike + kept, branch + (mark2 & IS_BORDER ? 1u : 0u),
-            mark, p, M, tau, size) : reaches(q[kept], p, M, tau, size);
+            mark, marks[kept].free, p, M, tau, size) : reaches(q[kept], p, M, tau, size);
     }
     return tidied(q, marks, alike, kept);
 }
@@ -1135,8 +1138,7 @@ KINSYM_FN static void reach_block(const planar_rrr_paul_params *p, int path, lan
         double off = 0.0;
         off = larger(off, fabs(block->T[0][k] - block->M[0][k]));
         off = larger(off, fabs(block->T[4][k] - block->M[4][k]));
-        const double far = larger(fabs(block->M[3][k]), larger(fabs(block->M[7][k]), fabs(block->M[11][k])));
-        const double unit = larger(size, far);
+        const double unit = 0.25 * size;
         off = larger(off, fabs(block->T[3][k] - block->M[3][k]) / unit);
         off = larger(off, fabs(block->T[7][k] - block->M[7][k]) / unit);
         const double t = larger(1e-9, 4.0 * block->tau[k]);

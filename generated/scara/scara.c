@@ -347,7 +347,7 @@ KINSYM_FN static int reaches(const double q[SCARA_JOINTS], const scara_params *p
     static const int rotation[] = {0, 4};
     static const int position[] = {3, 7, 11};
     const double t = fmax(1e-9, 4.0 * tau);
-    const double t_length = t * fmax(size, fmax(fabs(M[3]), fmax(fabs(M[7]), fabs(M[11]))));
+    const double t_length = 0.25 * t * size; /* the size has the coordinates in it, of which one is the largest */
     double T[16];
     scara_fk(q, p, T);
     for (int i = 0; i < 2; ++i) {
@@ -436,6 +436,16 @@ KINSYM_FN static void step(double D[ENTRIES][SCARA_JOINTS], const double e[ENTRI
     }
 }
 
+/* What rounding hides of the distance where slides are drawn out far, lengths over the size. */
+KINSYM_FN static double rounding(const double q[SCARA_JOINTS], double size)
+{
+    double longest = 0.0;
+    for (int i = 0; i < SCARA_JOINTS; ++i) {
+        longest = slides[i] ? fmax(longest, fabs(q[i])) : longest;
+    }
+    return 4.0 * 2.220446049250313e-16 * longest / size;
+}
+
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. What the pose hardly feels is a motion along a curve, which a long step leaves: steps that are
  * damped too much for that motion lead back, before the step is judged. Returns the distance. */
@@ -471,20 +481,21 @@ KINSYM_FN static double polish(double q[SCARA_JOINTS], const scara_params *p, co
             caution *= 10.0;
         }
     }
-    return left;
+    return left + rounding(q, size);
 }
 
 /* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
  * A slide that was divided by next to nothing lies far off; in the last start it is no longer than the arm.
- * Where two borders cross the distance is stationary, and a second start lies beside it. A border
+ * Where two borders cross the distance is stationary, and a second start lies beside it; where the reference put a
+ * free joint so that the others cannot follow, it is turned as well. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
 KINSYM_FN static int settle(double q[][SCARA_JOINTS], scara_mark marks[], double alike[], unsigned twin,
-    int mark, const scara_params *p, const double M[12], double tau, double size)
+    int mark, unsigned free, const scara_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[SCARA_JOINTS], other[SCARA_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
-    double left = distance(q[0], p, M, unit, e);
+    double left = distance(q[0], p, M, unit, e) + rounding(q[0], unit);
     if (!(left > reach)) {
         return left <= reach;
     }
@@ -495,7 +506,8 @@ KINSYM_FN static int settle(double q[][SCARA_JOINTS], scara_mark marks[], double
     for (int trial = 1; trial < 4 && left > reach; ++trial) {
         const double beside = pow(left, 1.0 / (1.0 + trial));
         for (int i = 0; i < SCARA_JOINTS; ++i) {
-            other[i] = start[i] + beside * (slides[i] ? unit : 1.0) * cos(1.0 + i);
+            const double turned = (mark & IS_DOUBTFUL) && (free >> i & 1u) ? 1.5 * trial : 0.0;
+            other[i] = start[i] + (slides[i] ? unit : 1.0) * (beside * cos(1.0 + i) + turned);
         }
         const double reached = polish(other, p, M, unit);
         for (int i = 0; i < SCARA_JOINTS && reached < left; ++i) {
@@ -515,7 +527,7 @@ KINSYM_FN static int settle(double q[][SCARA_JOINTS], scara_mark marks[], double
         }
         left = fmin(left, reached);
     }
-    int found = left <= ((mark & IS_DOUBTFUL) ? fmax(1e-12, reach) : fmax(1e-9, reach));
+    int found = left <= ((mark & IS_DOUBTFUL) ? fmax(1e-12, reach) : fmax(0.25 * 1e-9, reach));
     if (found && (mark & IS_BORDER)) {
         for (int i = 0; i < SCARA_JOINTS; ++i) {
             q[1][i] = start[i] - (q[0][i] - start[i]);
@@ -599,7 +611,7 @@ KINSYM_FN static int settled(double q[][SCARA_JOINTS], scara_mark marks[], const
         marks[kept].free = (mark4 & IS_FREE ? 1u : 0u);
         marks[kept].border = (mark3 & IS_BORDER ? 2u : 0u);
         kept += mark ? settle(q + kept, marks + kept, alike + kept, branch + (mark3 & IS_BORDER ? 1u : 0u),
-            mark, p, M, tau, size) : reaches(q[kept], p, M, tau, size);
+            mark, marks[kept].free, p, M, tau, size) : reaches(q[kept], p, M, tau, size);
     }
     return tidied(q, marks, alike, kept, size);
 }
@@ -1163,8 +1175,7 @@ KINSYM_FN static void reach_block(const scara_params *p, int path, lane_block *b
         double off = 0.0;
         off = larger(off, fabs(block->T[0][k] - block->M[0][k]));
         off = larger(off, fabs(block->T[4][k] - block->M[4][k]));
-        const double far = larger(fabs(block->M[3][k]), larger(fabs(block->M[7][k]), fabs(block->M[11][k])));
-        const double unit = larger(size, far);
+        const double unit = 0.25 * size;
         off = larger(off, fabs(block->T[3][k] - block->M[3][k]) / unit);
         off = larger(off, fabs(block->T[7][k] - block->M[7][k]) / unit);
         off = larger(off, fabs(block->T[11][k] - block->M[11][k]) / unit);

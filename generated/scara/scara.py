@@ -392,7 +392,7 @@ def _reaches_pose(theta1, theta2, d3, theta4, u_x, p_x, u_y, p_y, p_z, tau, size
     c12m4 = math.cos(theta1 + theta2 - theta4)
     s12m4 = math.sin(theta1 + theta2 - theta4)
     t = max(1e-9, 4.0 * tau)
-    t_length = t * max(size, abs(p_x), abs(p_y), abs(p_z))
+    t_length = 0.25 * t * size  # the size has the coordinates in it, of which one is the largest
     return (
         abs(c12m4 - u_x) <= t
         and abs(s12m4 - u_y) <= t
@@ -638,7 +638,12 @@ def _polish(q, M, size, given):
         caution[rows] *= np.where(better, 0.1, 10.0)
         rows = rows[better]
         q[rows], e[rows], left[rows] = trial[better], differences[better], reached[better]
-    return left
+    return left + _rounding(q, size)
+
+
+def _rounding(q, size):
+    """What rounding hides of the distance where slides are drawn out far, lengths over the size (k,)."""
+    return 4.0 * np.finfo(float).eps * np.abs(np.where(_SLIDES, q, 0.0)).max(axis=1) / size
 
 
 @np.errstate(all="ignore")
@@ -646,7 +651,8 @@ def _settle(q, valid, mark, free, border, apart, M, tau, size, given):
     """Polish the marked solutions q (N, 2, 4) that need it, and say in valid (N, 2) which of them are solutions.
 
     A slide that was divided by next to nothing lies far off; in the last start it is no longer than the arm.
-    Where two borders cross the distance is stationary, and a second start lies beside it. A border that had to be
+    Where two borders cross the distance is stationary, and a second start lies beside it; where the reference put a
+    free joint so that the others cannot follow, it is turned as well. A border that had to be
     polished hid two solutions: the other is looked for on the other side. apart (N, 2) tells how many places
     farther it belongs, 0 where there is none; free and border are the bits of joints.    """
     valid &= np.isfinite(q).all(axis=-1)
@@ -654,13 +660,16 @@ def _settle(q, valid, mark, free, border, apart, M, tau, size, given):
     scale = np.broadcast_to(np.where(size > 0.0, size, 1.0), tau.shape)
     M, size, reach = M[pose], scale[pose], 4.0 * tau[pose]
     start = q[pose, branch]
-    ends, left = start.copy(), _distance(start, M, size, given)[1]
+    ends, left = start.copy(), _distance(start, M, size, given)[1] + _rounding(start, size)
+    doubtful = mark[pose, branch] & _DOUBTFUL != 0
     for trial in range(5):
         rows = np.flatnonzero(left > reach)
         if not rows.size:
             break
         beside = left[rows, None] ** (1.0 / (1.0 + trial)) * (trial > 0)
-        beside = beside * np.cos(1.0 + np.arange(4)) * np.where(_SLIDES, size[rows, None], 1.0)
+        turned = 1.5 * (trial % 4) * (free[pose[rows], branch[rows], None] >> np.arange(4) & 1)
+        beside = beside * np.cos(1.0 + np.arange(4)) + doubtful[rows, None] * turned
+        beside = beside * np.where(_SLIDES, size[rows, None], 1.0)
         if trial == 4:
             inside = np.clip(start[rows], -size[rows, None], size[rows, None])
             beside = np.where(_SLIDES, inside - start[rows], 0.0)
@@ -669,8 +678,7 @@ def _settle(q, valid, mark, free, border, apart, M, tau, size, given):
         better = (reached < left[rows]) | (trial == 0)
         ends[rows[better]], left[rows[better]] = moved[better], reached[better]
     alike = np.zeros(valid.shape)
-    doubtful = mark[pose, branch] & _DOUBTFUL != 0
-    good = left <= np.maximum(np.where(doubtful, 1e-12, 1e-9), reach)
+    good = left <= np.maximum(np.where(doubtful, 1e-12, 0.25e-9), reach)
     moved = (ends != start).any(axis=1)
     q[pose, branch] = np.where(moved[:, None], _wrapped(ends), start)
     valid[pose, branch] = good
@@ -786,7 +794,7 @@ def _reaches(T, M, tau, size):
     good = np.ones(T.shape[:2], dtype=bool)
     for row, column in ((0, 0), (1, 0)):
         good &= np.abs(T[..., row, column] - M[row, column][:, None]) <= t
-    t_length = t * np.maximum(size, np.abs(M[:, 3]).max(axis=0))[:, None]
+    t_length = 0.25 * t * np.reshape(size, (-1, 1))  # the size has the coordinates in it, of which one is the largest
     for row in (0, 1, 2):
         good &= np.abs(T[..., row, 3] - M[row, 3][:, None]) <= t_length
     return good

@@ -414,8 +414,9 @@ KINSYM_FN static double polish(double q[SPHERICAL_WRIST_JOINTS], const spherical
 }
 
 /* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
- * Where two borders cross the distance is stationary, and a second start lies beside it. */
-KINSYM_FN static int settle(double q[][SPHERICAL_WRIST_JOINTS], double alike[], int mark,
+ * Where two borders cross the distance is stationary, and a second start lies beside it; where the reference put a
+ * free joint so that the others cannot follow, it is turned as well. */
+KINSYM_FN static int settle(double q[][SPHERICAL_WRIST_JOINTS], double alike[], int mark, unsigned free,
     const spherical_wrist_params *p, const double M[12], double tau, double size)
 {
     double e[ENTRIES], start[SPHERICAL_WRIST_JOINTS], other[SPHERICAL_WRIST_JOINTS];
@@ -431,7 +432,8 @@ KINSYM_FN static int settle(double q[][SPHERICAL_WRIST_JOINTS], double alike[], 
     for (int trial = 1; trial < 4 && left > reach; ++trial) {
         const double beside = pow(left, 1.0 / (1.0 + trial));
         for (int i = 0; i < SPHERICAL_WRIST_JOINTS; ++i) {
-            other[i] = start[i] + beside * cos(1.0 + i);
+            const double turned = (mark & IS_DOUBTFUL) && (free >> i & 1u) ? 1.5 * trial : 0.0;
+            other[i] = start[i] + (beside * cos(1.0 + i) + turned);
         }
         const double reached = polish(other, p, M, unit);
         for (int i = 0; i < SPHERICAL_WRIST_JOINTS && reached < left; ++i) {
@@ -513,7 +515,8 @@ KINSYM_FN static int settled(double q[][SPHERICAL_WRIST_JOINTS], spherical_wrist
         alike[kept] = (mark & IS_DOUBTFUL) ? 1e-3 : 0.0;
         marks[kept].free = (mark1 & IS_FREE ? 1u : 0u);
         marks[kept].border = 0;
-        kept += mark ? settle(q + kept, alike + kept, mark, p, M, tau, size) : all_finite(q[kept]);
+        kept += mark ? settle(q + kept, alike + kept, mark, marks[kept].free, p, M, tau, size)
+            : all_finite(q[kept]);
     }
     return tidied(q, marks, alike, kept);
 }

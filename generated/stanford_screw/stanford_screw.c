@@ -494,6 +494,16 @@ KINSYM_FN static void step(double D[ENTRIES][STANFORD_SCREW_JOINTS], const doubl
     }
 }
 
+/* What rounding hides of the distance where slides are drawn out far, lengths over the size. */
+KINSYM_FN static double rounding(const double q[STANFORD_SCREW_JOINTS], double size)
+{
+    double longest = 0.0;
+    for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
+        longest = slides[i] ? fmax(longest, fabs(q[i])) : longest;
+    }
+    return 4.0 * 2.220446049250313e-16 * longest / size;
+}
+
 /* Moves q towards the pose M by least squares, damped by the square of the distance that is left: fast even where the
  * Jacobian loses rank. What the pose hardly feels is a motion along a curve, which a long step leaves: steps that are
  * damped too much for that motion lead back, before the step is judged. Returns the distance. */
@@ -530,20 +540,22 @@ KINSYM_FN static double polish(double q[STANFORD_SCREW_JOINTS], const stanford_s
             caution *= 10.0;
         }
     }
-    return left;
+    return left + rounding(q, size);
 }
 
 /* How many solutions of the pose M a marked vector, the first of q, stands for; it is polished where it needs that.
  * A slide that was divided by next to nothing lies far off; in the last start it is no longer than the arm.
- * Where two borders cross the distance is stationary, and a second start lies beside it. A border
+ * Where two borders cross the distance is stationary, and a second start lies beside it; where the reference put a
+ * free joint so that the others cannot follow, it is turned as well. A border
  * that had to be polished hid two solutions: the other is looked for on the other side, and becomes the second of
  * q, on branch twin. */
 KINSYM_FN static int settle(double q[][STANFORD_SCREW_JOINTS], stanford_screw_mark marks[], double alike[],
-    unsigned twin, int mark, const stanford_screw_params *p, const double M[12], double tau, double size)
+    unsigned twin, int mark, unsigned free, const stanford_screw_params *p, const double M[12], double tau,
+    double size)
 {
     double e[ENTRIES], start[STANFORD_SCREW_JOINTS], other[STANFORD_SCREW_JOINTS];
     const double unit = size > 0.0 ? size : 1.0, reach = 4.0 * tau;
-    double left = distance(q[0], p, M, unit, e);
+    double left = distance(q[0], p, M, unit, e) + rounding(q[0], unit);
     if (!(left > reach)) {
         return left <= reach;
     }
@@ -554,7 +566,8 @@ KINSYM_FN static int settle(double q[][STANFORD_SCREW_JOINTS], stanford_screw_ma
     for (int trial = 1; trial < 4 && left > reach; ++trial) {
         const double beside = pow(left, 1.0 / (1.0 + trial));
         for (int i = 0; i < STANFORD_SCREW_JOINTS; ++i) {
-            other[i] = start[i] + beside * (slides[i] ? unit : 1.0) * cos(1.0 + i);
+            const double turned = (mark & IS_DOUBTFUL) && (free >> i & 1u) ? 1.5 * trial : 0.0;
+            other[i] = start[i] + (slides[i] ? unit : 1.0) * (beside * cos(1.0 + i) + turned);
         }
         const double reached = polish(other, p, M, unit);
         for (int i = 0; i < STANFORD_SCREW_JOINTS && reached < left; ++i) {
@@ -660,7 +673,7 @@ KINSYM_FN static int settled(double q[][STANFORD_SCREW_JOINTS], stanford_screw_m
             | (mark4 & IS_FREE ? 8u : 0u);
         marks[kept].border = (mark1 & IS_BORDER ? 1u : 0u);
         kept += mark ? settle(q + kept, marks + kept, alike + kept, branch + (mark1 & IS_BORDER ? 4u : 0u),
-            mark, p, M, tau, size) : all_finite(q[kept]);
+            mark, marks[kept].free, p, M, tau, size) : all_finite(q[kept]);
     }
     return tidied(q, marks, alike, kept, size);
 }

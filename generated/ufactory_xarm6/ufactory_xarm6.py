@@ -668,13 +668,14 @@ def _solve(M, parameters):
     silent = np.ones(len(wanted), dtype=bool)
     # First the best way round, then another for the poses that are in doubt; then a pose nearby, from which Newton's
     # method leads back: where several solutions share their suppressed angle, those of a pose beside it do not. Where
-    # no way round tells anything of a pose, solutions are looked for from anywhere.
+    # that leads nowhere, and where no way round tells anything of a pose, solutions are looked for from anywhere.
     for way, nearby in ((0, False), (1, False), (0, True), (1, True)):
         found, doubt, untold = _attempt(_CUTS[way], which, wanted[which], nearby, found, parameters)
         silent[which] &= untold | nearby
         which = which[doubt]
         if not len(which):
             break
+    silent[which] |= ~np.isin(which, found[0])
     found = _descended(which[silent[which]], wanted, found, parameters)
     return _packed(found[0], found[1], _lengths(wanted, parameters))
 

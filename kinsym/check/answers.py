@@ -27,12 +27,15 @@ MERGED = 1e-6
 #: solutions within tau^(1/4) of each other are one cluster, whose members miss the pose by the square of a third of it.
 CLOSE_PATH = 1e-8
 PAIR_PATH = 3e-6
+#: Nearer than this, but not at it, the pose in doubles may tell too little of the joint vector that made it.
+NEAREST = 1e-12
 #: At one in so many of the poses nearest to a singular one, rounding may lead one answer to a solution more.
 MORE_SOLUTIONS = 100
 AGREE_LIMIT = f"<= {SAME:g} or one double root; next to singular poses but for 1 in {MORE_SOLUTIONS}"
 
-#: At one in so many of the poses next to singular ones of the nominal arm a solution may be missed.
+#: At one in so many of the poses next to singular ones of the nominal arm, or nearest to any, one may be missed.
 MISSED = 100
+CLOSE_LIMIT = f"but for 1 in {MISSED} within {NEAREST:g} of one"
 #: What Newton's steps leave at a random pose.
 ORDINARY = 1e-12
 
@@ -88,9 +91,9 @@ class Answers:
             wider = replace(self.judge, path=max(self.judge.path, CLOSE_PATH))
             first, second = ((q[rows], count[rows]) for q, count in (left, right))
             sets[rows] = wider.agreement(first, second, self.poses[which[rows]])[1]
-        if self.schedule.general:
-            for row in np.flatnonzero(~sets & close):
-                sets[row] = self._regular_ones_agree(left, right, int(row), self.poses[which[row]])
+        on_curves = close & ((self.samples.offset[which] <= NEAREST) | bool(self.schedule.general))
+        for row in np.flatnonzero(~sets & on_curves):
+            sets[row] = self._regular_ones_agree(left, right, int(row), self.poses[which[row]])
         beside = self.samples.of(NOMINAL)[which]
         odd, lost = int((~sets & close).sum()), int((~sets & beside).sum())
         failed = int(np.where(uniform, ~same, ~sets & ~pair & ~close & ~beside).sum())
@@ -121,7 +124,13 @@ class Answers:
             lost, limit = int((missed & beside).sum()), f"but for 1 in {MISSED}"
             ledger.count(BESIDE_LAW, name, int(beside.sum()), _too_many(lost, beside, MISSED), limit=limit)
             ledger.tally(f"{name}: next to singular poses of the nominal arm, known vector not found", lost)
-        ledger.count(CLOSE_LAW, name, int(close.sum()), int((missed & close).sum()))
+        offset = self.samples.offset[which]
+        untold = close & (offset > 0.0) & (offset <= NEAREST)
+        wrong = int((missed & close & ~untold).sum()) + _too_many(int((missed & untold).sum()), untold, MISSED)
+        ledger.count(CLOSE_LAW, name, int(close.sum()), wrong, limit=CLOSE_LIMIT)
+        ledger.tally(
+            f"{name}: within {NEAREST:g} of a singular pose, known vector not found", int((missed & untold).sum())
+        )
         ledger.count(PAIR_LAW, name, int(pair.sum()), int((pair & (count == 0)).sum()))
         ledger.tally(f"{name}: two singularities at once, known vector not found", int((pair & missed).sum()))
 
@@ -139,12 +148,14 @@ class Answers:
     def _regular_ones_agree(self, left: Solutions, right: Solutions, row: int, pose: Floats) -> bool:
         """Whether the regular solutions of one pose are in both answers.
 
-        Where a general arm can move without moving its tool the search for roots finds some of a whole curve of
-        solutions, and may find as many as it can return.
+        Where an arm can move without moving its tool, some of a whole curve of solutions are found; the search for the
+        roots of a general one may find as many as it can return.
         """
-        if max(left[1][row], right[1][row]) >= self.schedule.maximum:
+        if self.schedule.general and max(left[1][row], right[1][row]) >= self.schedule.maximum:
             return True
         found = [q[row, : count[row]] for q, count in (left, right)]
+        if not all(np.isfinite(q).all() for q in found):
+            return False
         firm = [q[self.volume(q) > REGULAR * np.median(self.volume(self.samples.q))] for q in found]
         return self.judge.covers(firm[0], found[1], pose) and self.judge.covers(firm[1], found[0], pose)
 

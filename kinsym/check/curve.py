@@ -31,7 +31,6 @@ class Curve:
     """Follows curves for the arm, the task and the limit of a tracer, which takes the last step."""
 
     tracer: Tracer
-    revolute: Mask
 
     def joined(self, start: Floats, end: Floats, poses: Floats) -> Mask:
         """Whether curves from (k, n) joint vectors lead to ``end`` on the poses (k, 4, 4)."""
@@ -56,7 +55,7 @@ class Curve:
             active[rows] = self.tracer.on_pose(here[rows], poses[rows])
             along = self._weakest(here[rows])[1]
             ahead[rows] = along * np.where((along * ahead[rows]).sum(axis=1) < 0, -1.0, 1.0)[:, None]
-            way, back = (wrapped(point[rows] - here[rows], self.revolute) for point in (end, start))
+            way, back = (wrapped(point[rows] - here[rows], self.tracer.revolute) for point in (end, start))
             near = np.linalg.norm(way, axis=1) <= 2 * STEP
             if step >= LEAST:
                 active[rows] &= np.linalg.norm(back, axis=1) > STEP

@@ -30,7 +30,12 @@ class Joint:
 
 
 class Elimination:
-    """One loop cut open: ``candidates`` are joint values in the order N0 .. N5 for the ``angles`` of N2."""
+    """One loop cut open: ``candidates`` are joint values in the order N0 .. N5 for the ``angles`` of N2.
+
+    A determinant below ``vanished`` at every angle is zero but for the rounding of the pose.
+    """
+
+    vanished = 1e-25
 
     def __init__(self, ctx: Any, cut: Cut, joints: Sequence[Joint], links: Sequence[Motion]) -> None:
         """``joints`` and ``links`` are the robot's, six each; the last link closes the loop."""

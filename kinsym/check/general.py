@@ -18,8 +18,6 @@ NEARLY_STILL = 1e-3
 """How far from 0 the joint that completes five may stand before the others are polished without it."""
 MET = 1e-9
 """How far off the pose they may then be, lengths in units of the arm's."""
-VANISHED = 1e-25
-"""A determinant that is smaller at every angle is zero but for the rounding of the pose."""
 
 
 class GeneralOracle:
@@ -109,7 +107,7 @@ class GeneralOracle:
     def _silent(self, cut: Cut, posed: Motion, length: Value) -> bool:
         """Whether a cut tells nothing of a pose, since its determinant vanishes at every angle."""
         ctx, loop = self.ctx, self._loop(cut, posed, length)
-        return all(abs(loop.closing(ctx.cos(angle), ctx.sin(angle))) < VANISHED for angle in range(3))
+        return all(abs(loop.closing(ctx.cos(angle), ctx.sin(angle))) < loop.vanished for angle in range(3))
 
     @staticmethod
     def _polished(

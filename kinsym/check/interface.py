@@ -31,7 +31,7 @@ SAME_MARKS_LAW = "same branches, free and border joints"
 
 DEFAULT_POSES = 3
 #: At one in so many poses next to singular ones a band ends between two languages' roundings.
-MORE_MARKS = 100
+MORE_MARKS = 24
 #: At one in so many poses, where two singularities are near, settling may move a free joint far from its reference.
 MORE_MOVED = 24
 
@@ -43,7 +43,8 @@ def hold_interface(
     calls = calls_of(target)
     found = [calls.solve(pose, q) for pose, q in zip(questions.poses, questions.q, strict=True)]
     answers = target.inverse(questions.poses, questions.q)
-    wrong = sum(not _fits(marked, q[:count], questions) for marked, q, count in zip(found, *answers, strict=True))
+    rows = zip(found, *answers, questions.poses, strict=True)
+    wrong = sum(not _fits(marked, q[:count], pose, questions) for marked, q, count, pose in rows)
     moved = sum(not _chosen(marked, reference, questions) for marked, reference in zip(found, questions.q, strict=True))
     ledger.count(MARK_LAW, target.name, len(found), wrong + max(0, moved - 1 - len(found) // MORE_MOVED))
     limits = limits_of(questions, rng)
@@ -68,17 +69,20 @@ def _same(left: Any, right: Any) -> bool:
     return left.status == right.status and all(np.array_equal(a, b) for a, b in zip(left[1:5], right[1:5], strict=True))
 
 
-def _fits(marked: Any, q: Floats, questions: Questions) -> bool:
-    """Whether marked solutions are those of ik in rising branches."""
+def _fits(marked: Any, q: Floats, pose: Floats, questions: Questions) -> bool:
+    """Whether marked solutions are those of ik in rising branches; of a general solver, which tells a double root
+    by half the digits, a way on the pose may lead from the one to the other."""
     if not isinstance(marked, Marked) or marked.q.shape != q.shape:
         return False
-    gaps = np.abs(wrapped(marked.q - q, questions.judge.revolute))
+    same = (np.abs(wrapped(marked.q - q, questions.judge.revolute)) <= questions.fine.same).all(axis=-1)
+    if questions.schedule.general and not same.all():
+        same |= questions.judge.joined(marked.q[None], q[None], pose[None])[0]
     rising = bool((np.diff(marked.branch) > 0).all()) if len(q) else True
     inside = bool(((marked.branch >= 0) & (marked.branch < questions.schedule.maximum)).all())
     special = bool(marked.free.any() or marked.border.any())
     status = "unreachable" if not len(q) else "singular" if special else "solved"
     free = bool((marked.family | ~marked.free).all())
-    return bool((gaps <= questions.fine.same).all()) and rising and inside and free and marked.status == status
+    return bool(same.all()) and rising and inside and free and marked.status == status
 
 
 def _chosen(marked: Any, reference: Floats, questions: Questions) -> bool:

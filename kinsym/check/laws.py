@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from kinsym.check.curve import Curve
 from kinsym.check.poses import wrapped
 from kinsym.check.solvers import Solutions
-from kinsym.check.task import closure
+from kinsym.check.task import closure, rounding, units
 from kinsym.check.tracing import Tracer
 from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.robot.model import Task
@@ -52,27 +52,31 @@ class Judge:
     def joined(self, start: Floats, end: Floats, poses: Floats, *, one_is_enough: bool = False) -> Mask:
         """Whether ways from (m, S, n) to (m, 1 or S, n) stay on the poses: (m, S).
 
-        Straight lines are tried first, then the nearest way, then the whole curve on which the pose hardly changes.
-        With ``one_is_enough`` the search is over in rows that have a way.
+        Vectors that are the same within :data:`SAME` are joined. Straight lines are tried first, then the nearest way,
+        then the whole curve on which the pose hardly changes. With ``one_is_enough`` the search is over in rows that
+        have a way.
         """
-        limit = self.path + 4 * self.tau
+        limit, unit = self.path + 4 * self.tau, units(self.revolute, self.kinematics.size)
         with np.errstate(invalid="ignore"):
             way = wrapped(end - start, self.revolute)
-            steps = np.stack([self.closures(start + t * way, poses) for t in POINTS])
-            straight = np.asarray(np.all(steps <= limit, axis=0))
+            steps = [start + t * way for t in POINTS]
+            hidden = [rounding(q, self.revolute, self.kinematics.size) for q in steps]
+            near = [self.closures(q, poses) <= limit + more for q, more in zip(steps, hidden, strict=True)]
+            straight = np.asarray(np.all(near, axis=0) | (np.abs(way) <= SAME * unit).all(axis=-1))
         open_ = ~straight & np.isfinite(way).all(axis=-1)
         if one_is_enough:
             open_ &= ~straight.any(axis=1, keepdims=True)
         if open_.any():
             rows = np.nonzero(open_)[0]
-            tracer = Tracer(self.kinematics, self.task, limit)
-            straight[open_] = tracer.joined(start[open_], way[open_], poses[rows])
+            tracer = Tracer(self.kinematics, self.task, limit, self.revolute)
+            straight[open_] = tracer.joined(start[open_] / unit, way[open_] / unit, poses[rows])
         open_ &= ~straight
         if one_is_enough:
             open_ &= ~straight.any(axis=1, keepdims=True)
         if open_.any():
             rows = np.nonzero(open_)[0]
-            straight[open_] = Curve(tracer, self.revolute).joined(start[open_], (start + way)[open_], poses[rows])
+            ends = start[open_] / unit, (start + way)[open_] / unit
+            straight[open_] = Curve(tracer).joined(*ends, poses[rows])
         return straight
 
     def found(self, solutions: Floats, known: Floats, poses: Floats) -> Mask:

@@ -19,6 +19,9 @@ HALVINGS = 60
 #: Vectors shorter than so many tolerances turn while a merged root moves within its tolerance.
 BRIEF = 1000
 
+#: The rounding of a line in doubles, as a share of what is summed up; of its square it is twice as much.
+ROUNDING = 2.25e-16
+
 _SIGNS = (1, 1, -1, -1)
 
 
@@ -95,7 +98,8 @@ def _polynomial(ctx: Any, lines: Sequence[Line]) -> list[Value]:
 def _knots(ctx: Any, polynomial: Sequence[Value], forms: Sequence[_Form], loose: bool) -> list[_Knot]:
     """The turning points of the polynomial over its leading coefficient: minima and maxima by turns."""
     knots = []
-    for number, u in enumerate(_real_roots(ctx, _slope(polynomial))):
+    turning, bound = _real_roots(ctx, _slope(polynomial)), _bound(polynomial)
+    for number, u in enumerate(turning):
         value = _horner(polynomial, u) / polynomial[-1]
         soft = all(_touches(ctx, form, u, value, NEAR) for form in forms)
         minimum = number % 2 == 0
@@ -105,17 +109,19 @@ def _knots(ctx: Any, polynomial: Sequence[Value], forms: Sequence[_Form], loose:
             mark = Mark.BORDER | Mark.DOUBTFUL
         else:
             mark = NONE
-        knots.append(_Knot(u, mark, soft, _ends(ctx, polynomial, forms, u) if mark == Mark.BORDER else ()))
+        around = [-bound, *turning, bound][number : number + 3]
+        knots.append(_Knot(u, mark, soft, _ends(ctx, polynomial, forms, around) if mark == Mark.BORDER else ()))
     return knots
 
 
-def _ends(ctx: Any, polynomial: Sequence[Value], forms: Sequence[_Form], u: Value) -> tuple[Value, ...]:
-    """The points up to which the value has changed by the tolerance, () if no vector is short.
+def _ends(ctx: Any, polynomial: Sequence[Value], forms: Sequence[_Form], around: Sequence[Value]) -> tuple[Value, ...]:
+    """The two roots beside a turning point, which is the second of three; () if no vector is short.
 
-    Where a vector vanishes the middle is one of them: the next angle is free there. There are none where more than two
-    roots meet, which the curvature says nothing of.
+    If rounding hides the roots, the points up to which the value has changed by the tolerance. Where a vector vanishes
+    the middle is one of these points: the next angle is free there. There are none where more than two roots meet,
+    which the curvature says nothing of.
     """
-    bands, least = [], ctx.mpf(BRIEF)
+    (low, u, high), bands, least = around, [], ctx.mpf(BRIEF)
     for form in forms:
         width, length = form.tolerance * (1 + u * u), 2 * _length(ctx, form, u)
         bands.append(width * (length + width) / form.lead)
@@ -123,10 +129,19 @@ def _ends(ctx: Any, polynomial: Sequence[Value], forms: Sequence[_Form], u: Valu
     bend = abs(_horner(_slope(_slope(polynomial)), u) / (2 * polynomial[-1]))
     if least >= BRIEF or not bend:
         return ()
+    roots = (*_crossing(ctx, polynomial, low, u), *_crossing(ctx, polynomial, u, high))
+    if len(roots) == 2 and abs(_horner(polynomial, u) / polynomial[-1]) > min(_rounding(form, u) for form in forms):
+        return roots
     apart = ctx.sqrt(min(bands) / bend)
     if any(abs(_horner(polynomial, u + side * apart) / polynomial[-1]) > 4 * min(bands) for side in (-1, 1)):
         return ()
     return (u - apart if least > 1 else u, u + apart)
+
+
+def _rounding(form: _Form, u: Value) -> Value:
+    """How much of the value of a form at u the rounding of its lines hides, over the leading coefficient."""
+    values = [(_horner(line, u), sum(abs(part * u**k) for k, part in enumerate(line))) for line in form.lines]
+    return sum(2 * ROUNDING * abs(value) * size for value, size in values) / form.lead
 
 
 def _length(ctx: Any, form: _Form, u: Value) -> Value:

@@ -26,12 +26,16 @@ ON_THE_POSE = 4
 POLISHED = 1e-9
 #: One in doubt must come as near as this.
 CERTAIN = 1e-12
+#: By this share of its length a slide that is drawn out far hides a distance from doubles.
+ROUNDING = 2**-50
 #: Two vectors as near in every joint, in radians or sizes of the arm, are one if one of them was in doubt, and if one
 #: of them was moved.
 ALIKE = 1e-3
 MOVED = 1e-6
 
 STARTS = 4
+#: How far a free joint is turned from start to start, in radians or sizes of the arm.
+TURN = 1.5
 PASSES = 40
 #: Half the digits: what the normal equations, which square the damping, can still tell.
 NEAREST = 1e-25
@@ -66,7 +70,8 @@ class Solution(NamedTuple):
 class Settler:
     """Settles the solutions of one arm; ``forward`` and ``jacobian`` are its exact kinematics.
 
-    A joint in ``locked`` keeps its value.
+    A joint in ``locked`` keeps its value. With ``gate`` the arm reaches few poses, and a solution has to come nearer:
+    the size of the goal, which has the coordinates of the pose in it, is up to four times the arm's.
     """
 
     def __init__(
@@ -79,22 +84,27 @@ class Settler:
         jacobian: Callable[[Vector], Matrix],
         wrap: Callable[[Value], Value],
         locked: Sequence[str] = (),
+        gate: bool = False,
     ) -> None:
         self._ctx, self._forward, self._jacobian, self._wrap = ctx, forward, jacobian, wrap
+        self._enough = POLISHED / 4 if gate else POLISHED
+        self._names = [joint.name for joint in joints]
         self._slides = [joint.kind == "P" for joint in joints]
         self._moves = [joint.name not in locked for joint in joints]
         self._entries = ENTRIES[task]
 
-    def settle(self, given: Solution, twin: int, mark: Mark, goal: Goal) -> list[Solution]:
+    def settle(self, given: Solution, twin: int, mark: Mark, goal: Goal, free: Sequence[str] = ()) -> list[Solution]:
         """The solutions that a marked vector stands for: none, itself or what it became, or two.
 
         Two where roots met that had to be parted; the second, on branch ``twin``, is the first one's mirror image.
+        ``free`` are the joints that took their values from the reference.
         """
         start = given.q
-        if self._distance(self._differences(self._forward(start), goal)) <= goal.reach:
+        left = self._distance(self._differences(self._forward(start), goal)) + self._rounding(start, goal)
+        if left <= goal.reach:
             return [given]
-        q, left = self._polished(start, goal)
-        if left > max(goal.reach, CERTAIN if Mark.DOUBTFUL in mark else POLISHED):
+        q, left = self._polished(start, goal, free if Mark.DOUBTFUL in mark else ())
+        if left > max(goal.reach, CERTAIN if Mark.DOUBTFUL in mark else self._enough):
             return []
         found = [given._replace(q=self._in_range(q), alike=max(given.alike, MOVED))]
         if Mark.BORDER in mark:
@@ -122,11 +132,12 @@ class Settler:
         turns = (moves and not slides for moves, slides in zip(self._moves, self._slides, strict=True))
         return [self._wrap(value) if turning else value for value, turning in zip(q, turns, strict=True)]
 
-    def _polished(self, start: Vector, goal: Goal) -> tuple[Vector, Value]:
+    def _polished(self, start: Vector, goal: Goal, free: Sequence[str]) -> tuple[Vector, Value]:
         """The vector that the pose is reached from, from ``start`` or beside it, with the distance that is left.
 
-        Where two borders cross the distance is stationary, and only a start beside it gets away. A slide that was
-        divided by next to nothing is far off; the last start, the only one if it is FAR, has none longer than the arm.
+        Where two borders cross the distance is stationary, and only a start beside it gets away; where the reference
+        put a ``free`` joint so that the others cannot follow, it is turned as well. A slide that was divided by next to
+        nothing is far off; the last start, the only one if it is FAR, has none longer than the arm.
         """
         ctx, inside = self._ctx, self._drawn_in(start, goal)
         if any(abs(a - b) > FAR * goal.size for a, b in zip(start, inside, strict=True)):
@@ -136,7 +147,10 @@ class Settler:
             if least <= goal.reach:
                 break
             aside = least ** (ctx.mpf(1) / (1 + trial))
-            away = [aside * ctx.cos(1 + number) for number in range(len(start))]
+            away = [
+                aside * ctx.cos(1 + number) + (TURN * trial if name in free else 0)
+                for number, name in enumerate(self._names)
+            ]
             q, left = self._polish(self._moved(start, away, goal), goal)
             if left < least:
                 best, least = q, left
@@ -172,7 +186,7 @@ class Settler:
                 q, pose, errors, left, caution, slopes = trial, there, missed, reached, caution / 10, []
             else:
                 caution *= 10
-        return q, left
+        return q, left + self._rounding(q, goal)
 
     def _led_back(self, q: Vector, left: Value, goal: Goal) -> tuple[Vector, Matrix, Vector]:
         """A vector, its pose and what that misses, brought nearer than ``left`` if it can be.
@@ -208,6 +222,11 @@ class Settler:
 
     def _distance(self, differences: Vector) -> Value:
         return self._ctx.sqrt(sum(value * value for value in differences))
+
+    def _rounding(self, q: Vector, goal: Goal) -> Value:
+        """What rounding hides of the distance where slides are drawn out far."""
+        longest = max((abs(value) for value, slides in zip(q, self._slides, strict=True) if slides), default=0)
+        return ROUNDING * longest / goal.size
 
     def _slopes(self, q: Vector, pose: Matrix, goal: Goal) -> Matrix:
         """The derivatives of the differences, a row for each joint. A column of the rotation moves by omega x it."""

@@ -28,7 +28,12 @@ class _Posture:
 
 
 class SlidingLoop:
-    """One loop seen from a joint that turns; ``candidates`` are joint values in the order N0 .. N5 of a cut."""
+    """One loop seen from a joint that turns; ``candidates`` are joint values in the order N0 .. N5 of a cut.
+
+    What is below ``vanished`` at every angle is zero but for the rounding of the pose.
+    """
+
+    vanished = 1e-13
 
     def __init__(self, ctx: Any, cut: Cut, joints: Sequence[Joint], links: Sequence[Motion]) -> None:
         """``joints`` and ``links`` are the robot's, six each; the last link closes the loop."""
@@ -81,10 +86,10 @@ class SlidingLoop:
         b = A2[2][1] * A3[0][2] - A2[2][0] * A3[1][2]
         e, rr = u[2] - A2[2][2] * A3[2][2], a * a + b * b
         w = root * ctx.sqrt(ctx.mpc(rr - e * e))
-        third = ((a * e - b * w) / rr, (b * e + a * w) / rr)
+        third = _divided(a * e - b * w, b * e + a * w, rr)
         v = _column(_times(A2, _turn(*third)), [row[2] for row in A3])
         rho = u[0] * u[0] + u[1] * u[1]
-        second = ((v[0] * u[0] + v[1] * u[1]) / rho, (v[0] * u[1] - v[1] * u[0]) / rho)
+        second = _divided(v[0] * u[0] + v[1] * u[1], v[0] * u[1] - v[1] * u[0], rho)
         whole = A4
         for angle, rotation in ((first, A1), (second, A2), (third, A3)):
             whole = _times(_times(whole, _turn(*angle)), rotation)
@@ -111,6 +116,11 @@ class SlidingLoop:
         ar, br = (sum(map(_product, p, rest)) for p in (one, two))
         size = aa * bb - ab * ab
         return [(ar * bb - br * ab) / size, (br * aa - ar * ab) / size] if size else None
+
+
+def _divided(c: Value, s: Value, length: Value) -> tuple[Value, Value]:
+    """The cosine and sine of an angle of which they are multiples; of 0, which serves, where any angle does."""
+    return (c / length, s / length) if length else (1, 0)
 
 
 def _volume(posture: _Posture) -> Value:

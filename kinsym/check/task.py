@@ -27,6 +27,16 @@ ENTRIES: dict[Task, tuple[tuple[int, int], ...]] = {
 }
 
 
+def units(revolute: NDArray[np.bool_], size: float) -> Floats:
+    """The units of the joints (n,): radians, and the size of the arm for those that slide."""
+    return np.where(revolute | (size <= 0), 1.0, size)
+
+
+def rounding(q: Floats, revolute: NDArray[np.bool_], size: float) -> Floats:
+    """How far doubles put the poses of joint vectors (..., n) off whose slides are drawn out, in sizes of the arm."""
+    return np.asarray(np.abs(np.where(revolute, 0.0, q / units(revolute, size))).max(axis=-1) * 4 * np.finfo(float).eps)
+
+
 def closure(reached: Floats, wanted: Floats, task: Task, size: float) -> Floats:
     """Largest difference of the entries the task asks for.
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinsym.check.task import closure, residual, task_jacobian
+from kinsym.check.task import closure, residual, rounding, task_jacobian, units
 from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.robot.model import Task
 
@@ -31,16 +31,20 @@ POINTS = (0.25, 0.5, 0.75, 1.0)
 @dataclass(frozen=True)
 class Tracer:
     """Follows ways for one robot and one choice of parameters; ``limit`` is the closure a point may have, ``step`` the
-    length of a step and ``steps`` how many there are at most."""
+    length of a step and ``steps`` how many there are at most.
+
+    Joint vectors are in radians and, those of slides, in sizes of the arm.
+    """
 
     kinematics: TreeKinematics
     task: Task
     limit: float
+    revolute: NDArray[np.bool_]
     step: float = STEP
     steps: int = STEPS
 
     def joined(self, start: Floats, way: Floats, poses: Floats) -> NDArray[np.bool_]:
-        """Whether (k, n) joint vectors are joined to ``start + way`` on the poses (k, 4, 4)."""
+        """Whether joint vectors (k, n) are joined to ``start + way`` on the poses (k, 4, 4)."""
         end, here = start + way, start
         fine = self.on_pose(start, poses) & self.on_pose(end, poses)
         for _ in range(self.steps):
@@ -59,14 +63,22 @@ class Tracer:
         return np.asarray(fine & (np.linalg.norm(end - here, axis=-1) <= ARRIVED))
 
     def on_pose(self, q: Floats, poses: Floats) -> NDArray[np.bool_]:
-        """Whether (k, n) joint vectors are on the poses (k, 4, 4) within the limit."""
+        """Whether joint vectors (k, n) are on the poses (k, 4, 4) within the limit."""
+        q = q * self._units
         reached = self.kinematics.forward(q)
-        return np.asarray(closure(reached, poses, self.task, self.kinematics.size) <= self.limit)
+        limit = self.limit + rounding(q, self.revolute, self.kinematics.size)
+        return np.asarray(closure(reached, poses, self.task, self.kinematics.size) <= limit)
 
     def slope(self, q: Floats) -> tuple[Floats, Floats]:
         """The poses (k, 4, 4) of joint vectors (k, n) and the derivatives (k, entries, n) of what the task asks for."""
+        q = q * self._units
         reached = self.kinematics.forward(q)
-        return reached, task_jacobian(self.kinematics.jacobian(q), reached, self.task, self.kinematics.size)
+        slope = task_jacobian(self.kinematics.jacobian(q), reached, self.task, self.kinematics.size)
+        return reached, slope * self._units
+
+    @property
+    def _units(self) -> Floats:
+        return units(self.revolute, self.kinematics.size)
 
     def _stepped(self, q: Floats, end: Floats, poses: Floats) -> Floats:
         """One step towards ``end`` along what the pose hardly feels, and back onto the pose."""

@@ -48,7 +48,8 @@ class _Call:
 
 
 class _Way(NamedTuple):
-    """What is known of a path at a statement: its marks, its branch so far and how far from it the twin's place is.
+    """What is known of a path at a statement: its marks, its branch so far, how far from it the twin's place is, and
+    the joints that have their values from the reference.
 
     Branches are counted as if every step had all its roots. Where roots meet, the first stands for them and the last
     place is empty: the twin belongs there.
@@ -57,13 +58,15 @@ class _Way(NamedTuple):
     mark: Mark = NONE
     branch: int = 0
     aside: int | None = None
+    free: tuple[str, ...] = ()
 
     def through(self, call: _Call, root: int, mark: Mark) -> _Way:
         """The path through one root of a step."""
         aside = self.aside
         if aside is None and Mark.BORDER in mark:
             aside = call.stride * (call.step.branches - 1 - root)
-        return _Way(self.mark | mark, self.branch + call.stride * root, aside)
+        freed = tuple(name for name, _ in call.step.reference) if Mark.FREE in mark else ()
+        return _Way(self.mark | mark, self.branch + call.stride * root, aside, self.free + freed)
 
 
 class ExactWalk:
@@ -103,6 +106,7 @@ class ExactWalk:
             jacobian=self.jacobian,
             wrap=numbers.functions["wrap"],
             locked=schedule.locked,
+            gate=bool(schedule.gate),
         )
         self._numbers = numbers
         self._solved = [place for place, name in enumerate(self.joints) if name not in schedule.locked]
@@ -137,7 +141,7 @@ class ExactWalk:
         for way, q in self._paths(0, env, wanted, _Way()):
             plain = Solution(way.branch, q, ALIKE if Mark.DOUBTFUL in way.mark else 0)
             if way.mark:
-                found += self._settler.settle(plain, way.branch + (way.aside or 0), way.mark, goal)
+                found += self._settler.settle(plain, way.branch + (way.aside or 0), way.mark, goal, way.free)
             elif not self.schedule.gate or self._reaches(q, rows, tau, size):
                 found.append(plain)
         found.sort(key=lambda solution: solution.branch)
@@ -211,9 +215,9 @@ class ExactWalk:
     def _reaches(self, q: Sequence[Value], rows: list[list[Value]], tau: Value, size: Value) -> bool:
         reached = self.forward(q)
         allowed = max(self._limits["closure"], ON_THE_POSE * tau)
-        far = max(size, *(abs(row[3]) for row in rows))
+        # the size has the three coordinates of the pose in it: less than four times the larger of these and the arm
         return all(
-            abs(reached[i][j] - rows[i][j]) <= allowed * (far if j == POSITION else 1)
+            abs(reached[i][j] - rows[i][j]) <= allowed * (size / 4 if j == POSITION else 1)
             for i, j in ENTRIES[self.schedule.task]
         )
 

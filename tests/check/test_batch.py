@@ -22,7 +22,7 @@ FAULTS = {
     "no pose answered": ("block.real[k] > 0.0 && ", "", {SINGLE_LAW}),
     "the last block": ("k < n ? k : n - 1", "k < n - 1 ? k : 0", {SINGLE_LAW}),
     "how many are reached": ("reached += count > 0;", "reached -= count > 0;", {SINGLE_LAW}),
-    "forward kinematics": ("block->T[3][k] = ", "block->T[3][k] = 1e-9 + ", {SINGLE_FORWARD_LAW}),
+    "forward kinematics": ("block->T[3][k] = ", "block->T[3][k] = 1e-11 + ", {SINGLE_FORWARD_LAW}),
     "a function gone": ("planar_rr_fk_batch", "planar_rr_fk_many", {COMPILE}),
 }
 

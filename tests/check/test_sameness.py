@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from kinsym.check.laws import PATH, Judge
+from kinsym.check.numpy_solver import NumpySolver
 from kinsym.check.poses import PAIR, QUARTER, SINGULAR, UNIFORM, Counts, generator, samples, wrapped
 from kinsym.check.singular import volume_of
 from kinsym.check.solvers import Floats
@@ -20,6 +21,7 @@ from kinsym.emit.program import build_schedule
 from kinsym.robot import load
 from tests.benchmarks.coverage.arms import arm
 from tests.benchmarks.coverage.measure import parameters
+from tests.general.arms import run
 
 
 def judge_of(name: str) -> tuple[Derivation, Judge]:
@@ -73,6 +75,23 @@ def test_a_curved_way_is_found() -> None:
     assert judge.found(elsewhere, known[None], pose).all()
 
 
+@pytest.mark.parametrize("unit", [1, 1000])
+def test_a_way_on_which_joints_slide_is_found_in_any_unit(unit: int) -> None:
+    """With theta2 = -pi/2 axis 1 is parallel to axis 5, and two slides move while they turn against each other."""
+    robot = arm("two slides anywhere", 4, seed=77)
+    schedule = build_schedule(derive(robot))
+    given = {name: value * unit for name, value in parameters(robot).items()}
+    slides = np.array([joint.kind == "P" for joint in schedule.joints])
+    judge = Judge(TreeKinematics(schedule, given), schedule.task, ~slides, float(schedule.tau))
+    known = np.random.Generator(np.random.PCG64(3)).uniform(-1.0, 1.0, (20, 6)) * np.where(slides, unit, 1.0)
+    known[:, 1] = -np.pi / 2
+    poses = judge.kinematics.forward(known)
+    elsewhere, count = NumpySolver(run(schedule), schedule, given).inverse(poses, np.zeros(known.shape))
+    assert (count > 0).all()
+    assert not (np.abs(elsewhere - known[:, None])[..., slides].max(axis=-1) < 1e-3 * unit).any(axis=1).all()
+    assert judge.found(elsewhere, known, poses).all()
+
+
 #: Made-up arms whose axes 2, 3 and 4 are parallel, and axis 6 to 2e-13: four links that move and hardly move the tool.
 FOUR_BARS = {
     40: (
@@ -104,7 +123,7 @@ def test_a_way_round_the_curve_is_found_and_none_to_another_curve(number: int, o
     start, end = FOUR_BARS[number]
     pose = judge.kinematics.forward(np.array([end]))
     assert float(judge.closures(np.array([[start]]), pose)[0, 0]) < PATH
-    nearest_way = Tracer(judge.kinematics, schedule.task, PATH + 4 * judge.tau)
+    nearest_way = Tracer(judge.kinematics, schedule.task, PATH + 4 * judge.tau, judge.revolute)
     way = wrapped(np.array([end]) - np.array([start]), judge.revolute)
     assert not nearest_way.joined(np.array([start]), way, pose).any()
     assert joined(judge, start, end) == one_curve

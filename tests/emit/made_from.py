@@ -16,23 +16,31 @@ from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.deriving import derive
 from kinsym.emit.program import build_schedule
 from kinsym.emit.schedule import Schedule
+from kinsym.robot.model import Robot
 from tests.benchmarks.coverage.arms import arm
 from tests.benchmarks.coverage.measure import parameters
 from tests.emit.built import CLibrary
 from tests.general.arms import run
 
-Arm = tuple[str, int]
+Arm = tuple[str, int] | tuple[str, int, int]
+"""The class of an arm, its number and, if that is not 1, the seed."""
+
+
+def robot(made_up: Arm) -> Robot:
+    """The arm itself."""
+    name, number, *seeds = made_up
+    return arm(name, number, *(seeds or [1]))
 
 
 @cache
 def schedule(made_up: Arm) -> Schedule:
-    """The schedule of an arm, given by class and number."""
-    return build_schedule(derive(arm(*made_up, seed=1)))
+    """Its schedule."""
+    return build_schedule(derive(robot(made_up)))
 
 
 def values(made_up: Arm) -> dict[str, Fraction]:
     """Its parameters."""
-    return parameters(arm(*made_up, seed=1))
+    return parameters(robot(made_up))
 
 
 def in_c(made_up: Arm) -> Solver:

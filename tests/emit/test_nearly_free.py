@@ -1,7 +1,8 @@
 """Four axes that are parallel to 1e-12: four links that move, and the pose changes by as much as the tolerance.
 
-The equation of degree four has a double root there whose vectors are hardly longer than the tolerance. Both ends of
-what the tolerance merges lead to angles far from each other, and to both curves on which the links can move.
+The equation of degree four has a double root there whose vectors are hardly longer than the tolerance. The two roots,
+or where rounding hides them both ends of what the tolerance merges, lead to angles far from each other, and to both
+curves on which the links can move.
 """
 
 from __future__ import annotations
@@ -29,6 +30,10 @@ CASES: dict[Arm, list[float]] = {
         *(0.4709400037245505, -1.659617556867335, 1.2954986871540918e-13),
         *(1.8749356064248421, 1.836834798712172, 1.6947229280896863),
     ],
+    ("three axes parallel, 3-5", 1, 77): [
+        *(-0.7984638455189138, 2.7213731138199048e-14, -1.2301828672083603),
+        *(0.9943698558808217, 2.0992547636813543, -2.9809839071211233),
+    ],
 }
 
 
@@ -50,7 +55,7 @@ def test_the_module_finds_both_curves(made_up: Arm) -> None:
     assert not lost(made_up, in_numpy(made_up), q, np.zeros(q.shape))
 
 
-@pytest.mark.parametrize("made_up", list(CASES)[1:3])
+@pytest.mark.parametrize("made_up", [*list(CASES)[1:3], *list(CASES)[4:]])
 def test_the_exact_walk_finds_both_curves(made_up: Arm) -> None:
     q = joint_vectors(made_up)
     assert not lost(made_up, exactly(made_up), q, np.zeros(q.shape))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+from collections import Counter
 from dataclasses import replace
 
 import numpy as np
@@ -9,6 +11,7 @@ import pytest
 
 from kinsym.deriving import derive
 from kinsym.emit.program import build_schedule
+from kinsym.emit.source.numpy_source import numpy_source
 from kinsym.general.arm import six_joints
 from kinsym.general.ranks import usable
 from kinsym.robot import from_inline
@@ -61,6 +64,23 @@ def test_solutions_that_share_an_angle_by_symmetry_are_found(name: str, joint: i
     regular = np.linalg.svd(arm.jacobian(q), compute_uv=False)[:, -1] > 1e-3
     assert regular.any()
     assert nearest(arm, solutions[regular], q[regular]).max() < 1e-6
+
+
+@pytest.mark.parametrize("name", ["random1", "slide3", "slide24", "five1"])
+def test_every_name_is_given_once(name: str) -> None:
+    """The parts of a module are put together from files that do not know each other's names."""
+    (text,) = numpy_source(build_schedule(derived(name))).values()
+    names = Counter(item.name for item in ast.parse(text).body if isinstance(item, ast.FunctionDef | ast.ClassDef))
+    assert names
+    assert set(names.values()) == {1}
+
+
+@pytest.mark.parametrize("name", ["random1", "slide24"])
+def test_limits_and_windings_of_a_solver(name: str) -> None:
+    arm = module(name)
+    (q,) = joint_vectors(arm, 1, seed=9)
+    near = arm.nearest(arm.fk(q), q, limits=np.stack([q - 4.0, q + 4.0], axis=1))
+    assert np.abs(near - q).max() < 1e-6
 
 
 def test_five_joints_reach_a_position_and_an_axis() -> None:

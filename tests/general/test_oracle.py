@@ -12,8 +12,10 @@ import pytest
 from kinsym.check.evaluate import exact
 from kinsym.check.exact_solver import ExactSolver
 from kinsym.check.newton import STEPS, Newton
+from kinsym.deriving import derive
 from kinsym.emit.program import build_schedule
-from tests.general.arms import derived, joint_vectors, module, nearest
+from kinsym.robot import from_inline
+from tests.general.arms import derived, joint_vectors, misses, module, nearest, run
 
 ARMS = ["random1", "xarm6", "crx10ia", "slide1", "slide4", "slide25", "five1"]
 
@@ -33,6 +35,20 @@ def test_the_same_solutions_with_fifty_digits(name: str, flat: bool) -> None:
     for column in range(found.shape[1]):
         rows = valid[:, column]
         assert nearest(arm, exact[rows], found[rows, column]).max(initial=0.0) < 1e-9
+
+
+def test_two_slides_where_the_first_angle_tells_nothing() -> None:
+    """Two axes are parallel at theta = 0, a sample of what is looked at: any angle serves between them."""
+    table = (
+        "-pi/2 0.454 d1 0; -pi/2 0.141 -0.553 theta2; pi/2 0 0 theta3; "
+        "pi/2 0 0.417 theta4; 0 -0.076 d5 pi/2; 0 0 0 theta6"
+    )
+    derivation = derive(from_inline(table, convention="paul", name="two_slides"))
+    arm = run(build_schedule(derivation))
+    q = np.array([[0.3284339716250947, 0.4936093926435424, 0.0, 0.8967474187362211, -2.1e-10, -0.0972089243012052]])
+    found, count = ExactSolver(build_schedule(derivation), {}).inverse(arm.fk(q), q)
+    assert count[0] >= 1
+    assert misses(arm, arm.fk(q), found, np.arange(found.shape[1]) < count[:, None]).max() < 1e-12
 
 
 def test_nothing_is_a_solution_of_a_pose_out_of_reach() -> None:

@@ -22,7 +22,7 @@ from kinsym.check.borders import borders, moved
 from kinsym.check.laws import CLOSURE, PATH, SAME, Judge
 from kinsym.check.poses import draws, generator, lengths_of, wrapped
 from kinsym.check.solvers import Floats
-from kinsym.check.task import sifted
+from kinsym.check.task import sifted, units
 from kinsym.check.tracing import Tracer
 from kinsym.check.tree_kinematics import TreeKinematics
 from kinsym.derivation import Derivation
@@ -214,10 +214,12 @@ class Stress:
         if not len(found):
             return False
         limit = path + 4 * self.judge.tau
-        way, poses = wrapped(q - found, self.postures.revolute), np.repeat(T[None], len(found), axis=0)
+        revolute, poses = self.postures.revolute, np.repeat(T[None], len(found), axis=0)
+        unit = units(revolute, self.kinematics.size)
+        start, way = found / unit, wrapped(q - found, revolute) / unit
         for step in SHORT:
-            tracer = Tracer(self.kinematics, self.schedule.task, limit, step=step, steps=round(FAR / step))
-            if tracer.joined(found, way, poses).any() or tracer.joined(found + way, -way, poses).any():
+            tracer = Tracer(self.kinematics, self.schedule.task, limit, revolute, step=step, steps=round(FAR / step))
+            if tracer.joined(start, way, poses).any() or tracer.joined(start + way, -way, poses).any():
                 return True
         return False
 

@@ -232,8 +232,9 @@ def _heads(schedule: Schedule, core: Core, marking: dict[str, Any], marked: bool
         "slopes": f"{local} void slopes({vector}, {parameters}, double size, double {slopes})",
         "step": f"{local} void step(double {slopes}, const double e[ENTRIES], double damping, double g[{joints}])",
         "polish": f"{local} double polish(double q[{joints}], {pose})",
-        "settle": f"{local} int settle({solutions}, {ending}int mark, {parameters}, const double M[12], "
-        "double tau, double size)",
+        "settle": f"{local} int settle({solutions}, {ending}int mark, unsigned free, {parameters}, "
+        "const double M[12], double tau, double size)",
+        "rounding": f"{local} double rounding(const double q[{joints}], double size)",
         "settled": f"{local} int settled({solutions}, {name}_mark marks[], {special})",
         "tidied": f"{local} int tidied({solutions}, {name}_mark marks[], const double alike[], int count{sliding})",
         "hold": f"{local} void hold(const {name}_params *p, double q[{joints}])",
