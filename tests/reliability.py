@@ -12,7 +12,13 @@ Written by the commands that are named below, from what they measured. What is d
 same command finds the same again, but for what another compiler rounds differently.
 """
 #: The sections in the order in which they stand on the page.
-TITLES = ("The checks catch sabotage", "The tests see broken mathematics", "Long runs", "Single precision")
+TITLES = (
+    "The checks catch sabotage",
+    "The tests see broken mathematics",
+    "Arms that nobody has looked at",
+    "Long runs",
+    "Single precision",
+)
 
 
 def write_section(title: str, lines: list[str], page: Path = PAGE) -> None:
